@@ -1,0 +1,68 @@
+#include "core/errors.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace erg {
+namespace {
+
+std::string join(const std::vector<Mistake>& mistakes) {
+  std::string all;
+  for (const Mistake& mistake : mistakes) {
+    if (!all.empty()) all += '\n';
+    all += mistake.text();
+  }
+  return all;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string Mistake::text() const {
+  std::string line = place.empty() ? problem : place + ": " + problem;
+  if (!remedy.empty()) line += "; " + remedy;
+  return line;
+}
+
+InputError::InputError(std::vector<Mistake> mistakes)
+    : std::runtime_error(join(mistakes)), mistakes_(std::move(mistakes)) {}
+
+InputError::InputError(std::string place, std::string problem, std::string remedy)
+    : InputError(std::vector<Mistake>{{std::move(place), std::move(problem), std::move(remedy)}}) {}
+
+std::string nearest_word(std::string_view word, std::span<const std::string> candidates) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string> candidates) {
+  if (const std::string near = nearest_word(word, candidates); !near.empty()) return "did you mean \"" + near + "\"?";
+  std::string all;
+  for (const std::string& candidate : candidates) all += (all.empty() ? "" : ", ") + candidate;
+  return "expected one of " + all;
+}
+
+}  // namespace erg

@@ -1,0 +1,91 @@
+// Parameters declared once, as data. JSON, `--set`, `--help`, the schema, the manual's tables and the window are all
+// derived from these declarations; nothing else knows a range or a default.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/errors.h"
+
+namespace erg {
+
+/// A parameter's value. The alternative is the parameter's kind; a choice and a path are strings.
+using ParameterValue = std::variant<double, std::int64_t, bool, std::string>;
+
+enum class ParameterKind { real, integer, boolean, choice, path };
+
+/// The declaration of one parameter.
+struct Parameter {
+  std::string key;    ///< name in JSON and on the command line, snake_case
+  std::string label;  ///< name for people
+  std::string unit;   ///< "" for a pure number
+  ParameterKind kind = ParameterKind::real;
+  ParameterValue standard;  ///< default value, of the kind's alternative
+  double minimum = 0;       ///< for numbers: smallest value allowed
+  double maximum = 0;       ///< for numbers: largest value allowed
+  std::vector<std::string> choices;
+  std::string meaning;
+  std::string source;  ///< paper, equation or table; "" for our own
+  /// Only matters when the choice `key` (first) of the same group has one of the values (rest); empty: always.
+  std::vector<std::string> only_when;
+};
+
+/// Makers, so that a declaration reads as one line of a table.
+Parameter real_parameter(std::string key, std::string label, std::string unit, double standard, double minimum,
+                         double maximum, std::string meaning, std::string source = {});
+Parameter integer_parameter(std::string key, std::string label, std::string unit, std::int64_t standard,
+                            std::int64_t minimum, std::int64_t maximum, std::string meaning, std::string source = {});
+Parameter boolean_parameter(std::string key, std::string label, bool standard, std::string meaning,
+                            std::string source = {});
+Parameter choice_parameter(std::string key, std::string label, std::string standard, std::vector<std::string> choices,
+                           std::string meaning, std::string source = {});
+Parameter path_parameter(std::string key, std::string label, std::string meaning);
+
+using Parameters = std::vector<Parameter>;
+
+/// What is wrong with `value` for this parameter (kind or range), or nothing. An integer value serves a real parameter.
+std::optional<Mistake> check_value(const Parameter& parameter, const ParameterValue& value, const std::string& place);
+
+/// Reads a value as a person types it ("0.6", "true", "flat"); throws InputError with `place`.
+ParameterValue parse_value(const Parameter& parameter, std::string_view text, const std::string& place);
+
+/// The value as a person would type it.
+std::string value_text(const ParameterValue& value);
+
+/// "0 to 1", "flat, random" ...: what a parameter accepts, for help and error messages.
+std::string accepted_text(const Parameter& parameter);
+
+/// One value for each declared parameter, starting at the defaults.
+class ParameterValues {
+ public:
+  ParameterValues() = default;
+  explicit ParameterValues(Parameters declared);
+
+  const Parameters& declared() const { return declared_; }
+  /// The declaration with this key, or nullptr.
+  const Parameter* find(std::string_view key) const;
+
+  /// Sets one value; throws InputError for an unknown key, a wrong kind or a value out of range.
+  void set(std::string_view key, ParameterValue value);
+  const ParameterValue& value(std::string_view key) const;
+  bool is_default(std::string_view key) const;
+
+  double real(std::string_view key) const;
+  std::int64_t integer(std::string_view key) const;
+  bool boolean(std::string_view key) const;
+  const std::string& text(std::string_view key) const;
+
+  bool operator==(const ParameterValues& other) const { return values_ == other.values_; }
+
+ private:
+  std::size_t position(std::string_view key) const;  // throws std::logic_error: asking for an undeclared key is a bug
+
+  Parameters declared_;
+  std::vector<ParameterValue> values_;
+};
+
+}  // namespace erg

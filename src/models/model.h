@@ -1,0 +1,61 @@
+// The one interface of all models. A model says what it is, as data, and what one time step does.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/parameters.h"
+#include "core/random.h"
+#include "core/terrain.h"
+#include "transport/executor.h"
+#include "wind/regime.h"
+
+namespace erg {
+
+/// What a model is, for people.
+struct ModelInfo {
+  std::string key;        ///< name in configs and on the command line
+  std::string title;      ///< "Momiji et al. 2000"
+  std::string citation;   ///< the publication
+  std::string makes;      ///< what it makes
+  std::string leaves_out; ///< what it does not model
+  std::string step;       ///< what one time step means
+  std::string strength_label;  ///< what the wind's strength is: "hop length, cells"
+};
+
+/// A model at work on one terrain.
+class Model {
+ public:
+  virtual ~Model() = default;
+
+  /// Height of one quantum in m.
+  virtual double quantum() const = 0;
+  /// Prepares the terrain before the first step (declared fields); also called when a run is resumed, then with fields
+  /// already there.
+  virtual void begin(Terrain& terrain) = 0;
+  /// One time step.
+  virtual StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, SlabExecutor& executor) = 0;
+  /// The fall of the wind shadow in quanta a cell, for pictures and numbers.
+  virtual double shadow_fall(double cell_size) const = 0;
+};
+
+/// A kind of model: what the catalogue lists.
+struct ModelType {
+  ModelInfo info;
+  Parameters parameters;
+  std::vector<FieldInfo> fields;
+  std::function<std::unique_ptr<Model>(const ParameterValues&)> make;
+  /// What the values mean in slabs and cells, in words for people ("repose 33.7 deg: a step of 3 slabs stands").
+  std::function<std::vector<std::string>(const ParameterValues&, double cell_size)> explain;
+};
+
+/// Every model, in the order people should meet them.
+const std::vector<ModelType>& catalogue();
+
+/// The model with this key; throws InputError with the nearest key.
+const ModelType& find_model(const std::string& key);
+
+}  // namespace erg

@@ -1,0 +1,51 @@
+// Everything a run needs and nothing else: what a config file holds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/parameters.h"
+#include "core/terrain.h"
+#include "wind/regime.h"
+
+namespace erg {
+
+/// The version of the config format that this program writes; it reads this one.
+inline constexpr int config_version = 1;
+
+/// Declarations of the groups that are not a model's: their values stand under these keys in a config.
+Parameters grid_parameters();   ///< "grid": nx, ny, cell_size, boundary, inflow
+Parameters scene_parameters();  ///< "scene": kind and what each kind needs
+Parameters run_parameters();    ///< "run": steps, seed, executor, threads, sweeps
+
+/// One run, whole.
+struct Config {
+  /// A config of the default model with every value at its default.
+  Config();
+  /// The same for a model of the catalogue; throws InputError for an unknown key.
+  explicit Config(const std::string& model_key);
+
+  std::string title;
+  std::string description;
+  std::string model;  ///< key in the catalogue
+  ParameterValues grid;
+  ParameterValues scene;
+  ParameterValues run;
+  ParameterValues parameters;  ///< the model's own
+  Regime wind;
+
+  bool operator==(const Config&) const = default;
+};
+
+/// The names of the parameter groups in a config, in the order of a file: grid, scene, parameters, run.
+struct ConfigGroup {
+  std::string key;
+  ParameterValues Config::*values;
+};
+const std::vector<ConfigGroup>& config_groups();
+
+/// Sets one value from text, as `--set` does: "group.key=value" or "key=value" where the key is found in one group only;
+/// "model=...", "wind.bearing=...", "wind.strength=..." too. Throws InputError.
+void set_from_text(Config& config, const std::string& assignment);
+
+}  // namespace erg

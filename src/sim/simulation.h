@@ -1,0 +1,62 @@
+// A run: terrain, model, wind, clock and executor in one place. Everything else only looks at it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/terrain.h"
+#include "models/model.h"
+#include "sim/config.h"
+#include "sim/scene.h"
+#include "transport/executor.h"
+
+namespace erg {
+
+/// The part of a run that a checkpoint holds besides its config.
+struct RunState {
+  Terrain terrain;
+  std::int64_t step = 0;
+  StepReport totals;
+};
+
+class Simulation {
+ public:
+  /// Builds the scene. `picture` as in build_scene.
+  explicit Simulation(Config config, const HeightPicture* picture = nullptr);
+  /// Goes on from a saved state.
+  Simulation(Config config, RunState state);
+
+  const Config& config() const { return config_; }
+  const ModelType& model_type() const { return *type_; }
+  const Model& model() const { return *model_; }
+  /// Steps done.
+  std::int64_t step_count() const { return state_.step; }
+  /// The wind of the step to come.
+  WindNow wind() const { return config_.wind.at(state_.step); }
+  /// The wind of the last step done (of the first, before it).
+  WindNow last_wind() const;
+  SlabExecutor& executor() { return *executor_; }
+  const StepReport& totals() const { return state_.totals; }
+  bool finished() const { return state_.totals.finished; }
+
+  /// One time step; what it did. Does nothing when finished.
+  StepReport step();
+  /// The terrain, up to date.
+  const Terrain& terrain();
+  /// The terrain for editing (painting, events); the ledger books what the edit adds or takes with book_edit.
+  Terrain& edit_terrain();
+  void book_edit();
+  /// What a checkpoint needs.
+  const RunState& state();
+
+ private:
+  void start();
+
+  Config config_;
+  const ModelType* type_ = nullptr;
+  std::unique_ptr<Model> model_;
+  std::unique_ptr<SlabExecutor> executor_;
+  RunState state_;
+};
+
+}  // namespace erg

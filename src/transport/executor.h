@@ -1,0 +1,66 @@
+// Executors: what carries out a time step of the slab machine. `serial` is the reference (one slab at a time), `cpu` the
+// parallel engine. A model hands over a law; it never loops over cells itself.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/random.h"
+#include "core/terrain.h"
+#include "transport/slab_law.h"
+#include "wind/regime.h"
+
+namespace erg {
+
+/// What one time step did, in counts.
+struct StepReport {
+  std::int64_t polls = 0;      ///< cells that were asked for a slab
+  std::int64_t lifts = 0;      ///< slabs lifted
+  double travel = 0;           ///< cells travelled downwind, summed over all slabs
+  std::int64_t slabs_in = 0;   ///< entered over an open edge
+  std::int64_t slabs_out = 0;  ///< left over an open edge
+  bool finished = false;       ///< nothing can move any more
+  std::string why_finished;
+
+  StepReport& operator+=(const StepReport& other);
+};
+
+/// Carries out time steps of the slab machine.
+///
+/// An executor may keep the terrain in a form of its own between steps. Then the terrain's layers are stale until
+/// `settle` writes them back; whoever owns both calls it before anyone reads. Editing the terrain (its revision changes)
+/// makes the executor load it again at the next step.
+class SlabExecutor {
+ public:
+  virtual ~SlabExecutor() = default;
+
+  virtual std::string name() const = 0;
+  virtual int threads() const = 0;
+  /// Moves the slabs of one time step and books in- and outflow in the terrain's ledger.
+  virtual StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) = 0;
+  /// Brings the terrain's layers up to date.
+  virtual void settle(Terrain& terrain) = 0;
+};
+
+/// Which machine instructions the parallel engine may use. All give the same bits.
+enum class InstructionSet { portable, avx2, avx512 };
+/// The best that this processor has.
+InstructionSet best_instruction_set();
+std::string to_string(InstructionSet set);
+
+struct ExecutorOptions {
+  std::string name = "auto";  ///< one of executor_names(); "auto" takes the fastest that works
+  int threads = 0;            ///< 0: one for each processor
+  int sweeps = 16;            ///< K, sub-sweeps a step (cpu): a power of two, 2 to 64
+  InstructionSet instructions = best_instruction_set();
+};
+
+/// "auto", "serial", "cpu".
+const std::vector<std::string>& executor_names();
+
+/// Throws InputError for an unknown name.
+std::unique_ptr<SlabExecutor> make_executor(const ExecutorOptions& options);
+
+}  // namespace erg

@@ -1,0 +1,24 @@
+// Wind bearings as maps have them: where the wind blows FROM, in degrees clockwise from north.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace erg {
+
+/// A direction on the ground: x east, y north, length 1.
+struct Direction {
+  double x = 0;
+  double y = 0;
+};
+
+/// The direction that a wind of this bearing blows TOWARD: 270 (west wind) gives (1, 0).
+Direction downwind(double bearing);
+
+/// The bearing of a wind that blows toward (x, y), in [0, 360).
+double bearing_of(Direction toward);
+
+/// Reads "270", "-90", "W", "ssw", "west"; in [0, 360). Throws InputError with `place`.
+double parse_bearing(std::string_view text, const std::string& place);
+
+}  // namespace erg
