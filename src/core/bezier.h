@@ -9,8 +9,8 @@ struct CurvePoint {
   bool operator==(const CurvePoint&) const = default;
 };
 
-/// A cubic Bezier from (0, 0) to (1, 1) with two control points in the unit square. Since both have x in [0, 1], x grows
-/// along the curve and y is a function of x. The default is the straight line.
+/// A cubic Bezier from (0, 0) to (1, 1) with two control points in the unit square. Since both have x in [0, 1], x
+/// grows along the curve and y is a function of x. The default is the straight line.
 struct BezierCurve {
   CurvePoint first{1.0 / 3, 1.0 / 3};
   CurvePoint second{2.0 / 3, 2.0 / 3};

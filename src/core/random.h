@@ -1,5 +1,5 @@
-// Random numbers as a function, not a stream: the same key always gives the same number, so a result depends on no order
-// of evaluation. One key has five parts: seed, step, sub-sweep, cell (or line and row) and draw.
+// Random numbers as a function, not a stream: the same key always gives the same number, so a result depends on no
+// order of evaluation. One key has five parts: seed, step, sub-sweep, cell (or line and row) and draw.
 #pragma once
 
 #include <cstdint>

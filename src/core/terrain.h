@@ -61,6 +61,9 @@ class Terrain {
   double cell_size() const { return cell_size_; }
   double quantum() const { return quantum_; }
   Boundary boundary() const { return boundary_; }
+  /// Open boundary: quanta that enter per step and cell of upwind edge.
+  double inflow() const { return inflow_; }
+  void set_inflow(double inflow) { inflow_ = inflow; }
 
   /// Height of the immobile ground in quanta; may be negative.
   const Grid<std::int32_t>& bedrock() const { return bedrock_; }
@@ -89,6 +92,7 @@ class Terrain {
   double cell_size_ = 1.0;
   double quantum_ = 1.0;
   Boundary boundary_ = Boundary::torus;
+  double inflow_ = 0;
   Grid<std::int32_t> bedrock_;
   Grid<std::int32_t> mobile_;
   std::vector<Field> fields_;

@@ -11,8 +11,8 @@ inline double radians(double degrees) { return degrees * std::numbers::pi / 180.
 inline double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 /// The largest height step between neighbouring cells that still stands, in quanta, for an angle in degrees: a quantum
-/// slides while the step exceeds it. tan(angle) * cell_size / quantum, rounded up (30 deg and slabs of a third of a cell
-/// give 2, 33.7 deg gives 3).
+/// slides while the step exceeds it. tan(angle) * cell_size / quantum, rounded up (30 deg and slabs of a third of a
+/// cell give 2, 33.7 deg gives 3).
 inline int standing_step(double angle, double cell_size, double quantum) {
   return static_cast<int>(std::ceil(std::tan(radians(angle)) * cell_size / quantum - 1e-9));
 }

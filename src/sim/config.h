@@ -44,8 +44,8 @@ struct ConfigGroup {
 };
 const std::vector<ConfigGroup>& config_groups();
 
-/// Sets one value from text, as `--set` does: "group.key=value" or "key=value" where the key is found in one group only;
-/// "model=...", "wind.bearing=...", "wind.strength=..." too. Throws InputError.
+/// Sets one value from text, as `--set` does: "group.key=value" or "key=value" where the key is found in one group
+/// only; "model=...", "wind.bearing=...", "wind.strength=..." too. Throws InputError.
 void set_from_text(Config& config, const std::string& assignment);
 
 }  // namespace erg

@@ -1,5 +1,5 @@
-// Executors: what carries out a time step of the slab machine. `serial` is the reference (one slab at a time), `cpu` the
-// parallel engine. A model hands over a law; it never loops over cells itself.
+// Executors: what carries out a time step of the slab machine. `serial` is the reference (one slab at a time), `cpu`
+// the parallel engine. A model hands over a law; it never loops over cells itself.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ struct StepReport {
 /// Carries out time steps of the slab machine.
 ///
 /// An executor may keep the terrain in a form of its own between steps. Then the terrain's layers are stale until
-/// `settle` writes them back; whoever owns both calls it before anyone reads. Editing the terrain (its revision changes)
-/// makes the executor load it again at the next step.
+/// `settle` writes them back; whoever owns both calls it before anyone reads. Editing the terrain (its revision
+/// changes) makes the executor load it again at the next step.
 class SlabExecutor {
  public:
   virtual ~SlabExecutor() = default;

@@ -1,0 +1,43 @@
+// What Werner, Momiji and Bishop share: the slab parameters, and the law made from them.
+#pragma once
+
+#include "models/model.h"
+
+namespace erg {
+
+/// Which parts of the slab law a model of this family uses.
+struct SlabFamily {
+  double repose_angle = 30;     ///< default, degrees
+  bool erode_in_shadow = true;  ///< Werner lifts sand in the lee, the others do not
+  bool hop_grows_with_height = false;
+  double deviation_weight = 0;  ///< of HopLaw
+};
+
+/// The declarations that every model of the family has; with `linear` and `quadratic` where the hop grows with height.
+Parameters slab_parameters(const SlabFamily& family);
+
+/// Publishes what the values mean on a grid: the repose in slabs, the fall of the shadow line.
+std::vector<std::string> explain_slabs(const ParameterValues& values, double cell_size);
+
+/// A model that is nothing but its law.
+class SlabModel : public Model {
+ public:
+  SlabModel(const SlabFamily& family, ParameterValues values);
+
+  double quantum() const override;
+  void begin(Terrain& terrain) override;
+  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, SlabExecutor& executor) override;
+  double shadow_fall(double cell_size) const override;
+
+  /// The law on this terrain's grid.
+  SlabLaw law(const Terrain& terrain) const;
+
+ private:
+  SlabFamily family_;
+  ParameterValues values_;
+};
+
+/// The catalogue entry of a model of this family.
+ModelType slab_model_type(ModelInfo info, SlabFamily family);
+
+}  // namespace erg

@@ -1,0 +1,68 @@
+#include "sim/simulation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace erg {
+namespace {
+
+ExecutorOptions executor_options(const ParameterValues& run) {
+  ExecutorOptions options;
+  options.name = run.text("executor");
+  options.threads = static_cast<int>(run.integer("threads"));
+  options.sweeps = static_cast<int>(run.integer("sweeps"));
+  return options;
+}
+
+}  // namespace
+
+Simulation::Simulation(Config config, const HeightPicture* picture) : config_(std::move(config)) {
+  start();
+  state_.terrain = build_scene(config_, model_->quantum(), picture);
+  model_->begin(state_.terrain);
+}
+
+Simulation::Simulation(Config config, RunState state) : config_(std::move(config)), state_(std::move(state)) {
+  start();
+  model_->begin(state_.terrain);
+}
+
+void Simulation::start() {
+  type_ = &find_model(config_.model);
+  model_ = type_->make(config_.parameters);
+  executor_ = make_executor(executor_options(config_.run));
+}
+
+WindNow Simulation::last_wind() const { return config_.wind.at(std::max<std::int64_t>(0, state_.step - 1)); }
+
+StepReport Simulation::step() {
+  if (finished()) return {};
+  const StepKey key{static_cast<std::uint64_t>(config_.run.integer("seed")), static_cast<std::uint64_t>(state_.step)};
+  const StepReport report = model_->step(state_.terrain, wind(), key, *executor_);
+  state_.totals += report;
+  ++state_.step;
+  return report;
+}
+
+const Terrain& Simulation::terrain() {
+  executor_->settle(state_.terrain);
+  return state_.terrain;
+}
+
+Terrain& Simulation::edit_terrain() {
+  executor_->settle(state_.terrain);
+  return state_.terrain;
+}
+
+void Simulation::book_edit() {
+  MassLedger& ledger = state_.terrain.ledger();
+  const std::int64_t change = state_.terrain.total_mobile() - ledger.expected();
+  (change >= 0 ? ledger.in : ledger.out) += change >= 0 ? change : -change;
+}
+
+const RunState& Simulation::state() {
+  executor_->settle(state_.terrain);
+  return state_;
+}
+
+}  // namespace erg

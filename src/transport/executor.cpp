@@ -1,0 +1,62 @@
+#include "transport/executor.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "core/errors.h"
+#include "transport/parallel_executor.h"
+#include "transport/serial_executor.h"
+
+namespace erg {
+
+StepReport& StepReport::operator+=(const StepReport& other) {
+  polls += other.polls;
+  lifts += other.lifts;
+  travel += other.travel;
+  slabs_in += other.slabs_in;
+  slabs_out += other.slabs_out;
+  if (other.finished) {
+    finished = true;
+    why_finished = other.why_finished;
+  }
+  return *this;
+}
+
+InstructionSet best_instruction_set() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) {
+    return InstructionSet::avx512;
+  }
+  if (__builtin_cpu_supports("avx2")) return InstructionSet::avx2;
+#endif
+  return InstructionSet::portable;
+}
+
+std::string to_string(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::avx512:
+      return "avx512";
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::portable:
+      break;
+  }
+  return "portable";
+}
+
+const std::vector<std::string>& executor_names() {
+  static const std::vector<std::string> names{"auto", "serial", "cpu"};
+  return names;
+}
+
+std::unique_ptr<SlabExecutor> make_executor(const ExecutorOptions& options) {
+  if (options.name == "serial") return std::make_unique<SerialExecutor>();
+  if (options.name == "cpu" || options.name == "auto") {
+    ExecutorOptions chosen = options;
+    if (chosen.threads <= 0) chosen.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    return std::make_unique<ParallelExecutor>(chosen);
+  }
+  throw InputError("executor", "unknown executor \"" + options.name + "\"", suggestion(options.name, executor_names()));
+}
+
+}  // namespace erg
