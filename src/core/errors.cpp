@@ -45,6 +45,20 @@ InputError::InputError(std::vector<Mistake> mistakes)
 InputError::InputError(std::string place, std::string problem, std::string remedy)
     : InputError(std::vector<Mistake>{{std::move(place), std::move(problem), std::move(remedy)}}) {}
 
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::size_t length = std::min(text.size(), longest);
+  const auto continues = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80; };
+  while (length < text.size() && length > 0 && continues(length)) --length;  // never cut a UTF-8 character in two
+  std::string shown;
+  for (const char c : text.substr(0, length)) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    shown += control ? '?' : c;
+  }
+  if (text.size() > length) shown += "...";
+  return '"' + shown + '"';
+}
+
 std::string nearest_word(std::string_view word, std::span<const std::string> candidates) {
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;

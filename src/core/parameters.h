@@ -75,6 +75,7 @@ class ParameterValues {
   bool is_default(std::string_view key) const;
 
   double real(std::string_view key) const;
+  /// An integer, or a choice between whole numbers ("4" or "8").
   std::int64_t integer(std::string_view key) const;
   bool boolean(std::string_view key) const;
   const std::string& text(std::string_view key) const;

@@ -18,6 +18,13 @@ Direction downwind(double bearing);
 /// The bearing of a wind that blows toward (x, y), in [0, 360).
 double bearing_of(Direction toward);
 
+/// What a bearing may be given as: at most this far from north either way, or a point of the compass.
+inline constexpr double largest_bearing = 360;
+inline constexpr const char* accepted_bearings = "-360 to 360 degrees, or a compass point such as W or NNE";
+
+/// The same bearing in [0, 360).
+double fold_bearing(double degrees);
+
 /// Reads "270", "-90", "W", "ssw", "west"; in [0, 360). Throws InputError with `place`.
 double parse_bearing(std::string_view text, const std::string& place);
 

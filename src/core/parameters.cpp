@@ -1,0 +1,233 @@
+#include "core/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace erg {
+namespace {
+
+/// Whole numbers up to here are exact as double, and in every JSON reader.
+constexpr double largest_exact = 0x1.0p53;
+
+bool is_whole(double number) { return std::trunc(number) == number && std::abs(number) <= largest_exact; }
+
+/// The value as the parameter keeps it. Call after `check_value`.
+ParameterValue stored(const Parameter& parameter, ParameterValue value) {
+  if (parameter.kind == ParameterKind::real) {
+    const auto* whole = std::get_if<std::int64_t>(&value);
+    const double number = whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
+    return number + 0.0;  // turns -0 into 0, which JSON readers do not tell apart
+  }
+  if (parameter.kind == ParameterKind::integer) {
+    if (const auto* number = std::get_if<double>(&value)) return static_cast<std::int64_t>(*number);
+  }
+  return value;
+}
+
+/// Reads all of `text` as a number; nothing if it is none.
+template <typename Number>
+std::optional<Number> number_from(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::string shown(const ParameterValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr ? quoted(*text) : value_text(value);
+}
+
+Mistake unacceptable(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
+  return {place, parameter.key + " is " + shown(value), "expected " + accepted_text(parameter)};
+}
+
+std::optional<Mistake> check_number(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  const auto* real = std::get_if<double>(&value);
+  if (whole == nullptr && real == nullptr) return unacceptable(parameter, value, place);
+  const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
+  const bool kind_fits = parameter.kind == ParameterKind::real || whole != nullptr || is_whole(number);
+  // Written so that NaN, which is neither below nor above anything, is refused.
+  const bool range_fits = number >= parameter.minimum && number <= parameter.maximum;
+  if (kind_fits && range_fits) return std::nullopt;
+  return unacceptable(parameter, value, place);
+}
+
+std::optional<Mistake> check_choice(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr) return unacceptable(parameter, value, place);
+  if (std::ranges::find(parameter.choices, *text) != parameter.choices.end()) return std::nullopt;
+  return Mistake{place, "unknown " + parameter.key + " " + quoted(*text), suggestion(*text, parameter.choices)};
+}
+
+}  // namespace
+
+Parameter real_parameter(std::string key, std::string label, std::string unit, double standard, double minimum,
+                         double maximum, std::string meaning, std::string source) {
+  Parameter parameter;
+  parameter.key = std::move(key);
+  parameter.label = std::move(label);
+  parameter.unit = std::move(unit);
+  parameter.kind = ParameterKind::real;
+  parameter.standard = standard;
+  parameter.minimum = minimum;
+  parameter.maximum = maximum;
+  parameter.meaning = std::move(meaning);
+  parameter.source = std::move(source);
+  return parameter;
+}
+
+Parameter integer_parameter(std::string key, std::string label, std::string unit, std::int64_t standard,
+                            std::int64_t minimum, std::int64_t maximum, std::string meaning, std::string source) {
+  Parameter parameter =
+      real_parameter(std::move(key), std::move(label), std::move(unit), 0, static_cast<double>(minimum),
+                     static_cast<double>(maximum), std::move(meaning), std::move(source));
+  parameter.kind = ParameterKind::integer;
+  parameter.standard = standard;
+  return parameter;
+}
+
+Parameter boolean_parameter(std::string key, std::string label, bool standard, std::string meaning,
+                            std::string source) {
+  Parameter parameter =
+      real_parameter(std::move(key), std::move(label), "", 0, 0, 0, std::move(meaning), std::move(source));
+  parameter.kind = ParameterKind::boolean;
+  parameter.standard = standard;
+  return parameter;
+}
+
+Parameter choice_parameter(std::string key, std::string label, std::string standard, std::vector<std::string> choices,
+                           std::string meaning, std::string source) {
+  Parameter parameter =
+      real_parameter(std::move(key), std::move(label), "", 0, 0, 0, std::move(meaning), std::move(source));
+  parameter.kind = ParameterKind::choice;
+  parameter.standard = std::move(standard);
+  parameter.choices = std::move(choices);
+  return parameter;
+}
+
+Parameter path_parameter(std::string key, std::string label, std::string meaning) {
+  Parameter parameter = real_parameter(std::move(key), std::move(label), "", 0, 0, 0, std::move(meaning), "");
+  parameter.kind = ParameterKind::path;
+  parameter.standard = std::string();
+  return parameter;
+}
+
+std::optional<Mistake> check_value(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
+  switch (parameter.kind) {
+    case ParameterKind::real:
+    case ParameterKind::integer:
+      return check_number(parameter, value, place);
+    case ParameterKind::choice:
+      return check_choice(parameter, value, place);
+    case ParameterKind::boolean:
+      if (std::holds_alternative<bool>(value)) return std::nullopt;
+      break;
+    case ParameterKind::path:
+      if (std::holds_alternative<std::string>(value)) return std::nullopt;
+      break;
+  }
+  return unacceptable(parameter, value, place);
+}
+
+ParameterValue parse_value(const Parameter& parameter, std::string_view text, const std::string& place) {
+  ParameterValue value = std::string(text);
+  if (parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer) {
+    if (const auto whole = number_from<std::int64_t>(text)) {
+      value = *whole;
+    } else if (const auto real = number_from<double>(text)) {
+      value = *real;
+    }
+  } else if (parameter.kind == ParameterKind::boolean) {
+    constexpr std::array<std::string_view, 3> yes{"true", "yes", "on"};
+    constexpr std::array<std::string_view, 3> no{"false", "no", "off"};
+    if (std::ranges::find(yes, text) != yes.end()) value = true;
+    if (std::ranges::find(no, text) != no.end()) value = false;
+  }
+  if (auto mistake = check_value(parameter, value, place)) throw InputError({std::move(*mistake)});
+  return stored(parameter, std::move(value));
+}
+
+std::string value_text(const ParameterValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), *number).ptr;
+    return {buffer.data(), end};
+  }
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  return std::get<std::string>(value);
+}
+
+std::string accepted_text(const Parameter& parameter) {
+  const std::string range = value_text(parameter.minimum) + " to " + value_text(parameter.maximum);
+  switch (parameter.kind) {
+    case ParameterKind::real:
+      return range;
+    case ParameterKind::integer:
+      return "a whole number, " + value_text(static_cast<std::int64_t>(parameter.minimum)) + " to " +
+             value_text(static_cast<std::int64_t>(parameter.maximum));
+    case ParameterKind::boolean:
+      return "true or false";
+    case ParameterKind::path:
+      return "the path of a file";
+    case ParameterKind::choice:
+      break;
+  }
+  std::string all;
+  for (const std::string& choice : parameter.choices) all += (all.empty() ? "" : ", ") + choice;
+  return all;
+}
+
+ParameterValues::ParameterValues(Parameters declared) : declared_(std::move(declared)) {
+  values_.reserve(declared_.size());
+  for (const Parameter& parameter : declared_) values_.push_back(parameter.standard);
+}
+
+const Parameter* ParameterValues::find(std::string_view key) const {
+  const auto found = std::ranges::find(declared_, key, &Parameter::key);
+  return found == declared_.end() ? nullptr : &*found;
+}
+
+void ParameterValues::set(std::string_view key, ParameterValue value) {
+  const Parameter* parameter = find(key);
+  if (parameter == nullptr) {
+    std::vector<std::string> keys;
+    for (const Parameter& known : declared_) keys.push_back(known.key);
+    throw InputError("", "unknown key " + quoted(key), suggestion(key, keys));
+  }
+  if (auto mistake = check_value(*parameter, value, "")) throw InputError({std::move(*mistake)});
+  values_[position(key)] = stored(*parameter, std::move(value));
+}
+
+const ParameterValue& ParameterValues::value(std::string_view key) const { return values_[position(key)]; }
+
+bool ParameterValues::is_default(std::string_view key) const { return value(key) == declared_[position(key)].standard; }
+
+double ParameterValues::real(std::string_view key) const { return std::get<double>(value(key)); }
+
+std::int64_t ParameterValues::integer(std::string_view key) const {
+  const ParameterValue& held = value(key);
+  const auto* choice = std::get_if<std::string>(&held);
+  if (choice == nullptr) return std::get<std::int64_t>(held);
+  const auto whole = number_from<std::int64_t>(*choice);
+  if (!whole) throw std::logic_error("not a whole number: parameter " + std::string(key));
+  return *whole;
+}
+
+bool ParameterValues::boolean(std::string_view key) const { return std::get<bool>(value(key)); }
+
+const std::string& ParameterValues::text(std::string_view key) const { return std::get<std::string>(value(key)); }
+
+std::size_t ParameterValues::position(std::string_view key) const {
+  const Parameter* parameter = find(key);
+  if (parameter == nullptr) throw std::logic_error("undeclared parameter " + std::string(key));
+  return static_cast<std::size_t>(parameter - declared_.data());
+}
+
+}  // namespace erg
