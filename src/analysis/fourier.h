@@ -1,0 +1,42 @@
+// Surfaces made ready for Fourier analysis, and the two-dimensional transform itself.
+#pragma once
+
+#include <complex>
+
+#include "core/grid.h"
+#include "core/terrain.h"
+
+namespace erg {
+
+/// Which height of the terrain is meant.
+enum class Layer {
+  surface,  ///< bedrock + mobile
+  mobile    ///< the mobile layer's thickness
+};
+
+/// Heights for analysis, in quanta: the terrain itself, or block means of a large one.
+struct CoarseSurface {
+  Grid<double> heights;
+  double cells_x = 1;    ///< cells of the terrain in one block, eastward
+  double cells_y = 1;    ///< the same northward
+  bool periodic = true;  ///< true on a torus
+};
+
+/// The layer with no side above `largest_side` blocks: larger terrains are averaged over equal (if need be fractional)
+/// blocks, which keeps the mean exactly.
+CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, int largest_side = 1024);
+
+using Spectrum2D = Grid<std::complex<double>>;
+
+/// The discrete Fourier transform of any extent, unscaled: sum of h exp(-2 pi i (ax/nx + by/ny)). Frequency (a, b) stands
+/// at cell (a, b), negative frequencies wrapped to the far end. The mean is removed first; a surface that is not periodic
+/// is faded out toward its edges (Hann window) so that they do not count as steps.
+Spectrum2D transform(const CoarseSurface& surface);
+
+/// The real part of the inverse transform, scaled so that it undoes `transform`.
+Grid<double> transform_back(Spectrum2D spectrum);
+
+/// The signed frequency of cell `index` of `count`, in cycles per `count`: 0, 1, ..., -2, -1.
+inline int signed_frequency(int index, int count) { return index <= count / 2 ? index : index - count; }
+
+}  // namespace erg

@@ -1,0 +1,31 @@
+// The shape of a terrain in numbers.
+#pragma once
+
+#include <cstdint>
+
+#include "core/terrain.h"
+
+namespace erg {
+
+struct Morphometry {
+  // Of the mobile layer. On a flat bed its thickness is the dune's height, which is what is found in print as "max slabs".
+  std::int32_t max_slabs = 0;  ///< thickest column, quanta
+  double mean_slabs = 0;       ///< quanta
+  double sd_slabs = 0;         ///< standard deviation over all cells, quanta
+  double bare_fraction = 0;    ///< share of cells with no mobile quantum
+
+  // Of the surface.
+  double lowest = 0;          ///< m
+  double highest = 0;         ///< m
+  double sd_surface = 0;      ///< m
+  double steepest_slope = 0;  ///< degrees: the largest step between two of the four neighbours
+  double mean_slope = 0;      ///< degrees: mean of the slope by central differences
+};
+
+/// Measures a terrain; across the edges on a torus only.
+Morphometry measure(const Terrain& terrain);
+
+/// The share of cells that are dark in a shadow map.
+double shadow_fraction(const Grid<std::uint8_t>& shadow);
+
+}  // namespace erg
