@@ -1,5 +1,6 @@
-// The frame in which executors work: the grid turned and mirrored so that the wind blows along +v at 0 <= theta <= 45
-// degrees from the axis. Every rule is written once, for this case; a turned wind on a turned scene is the same run.
+// The frame in which everything that follows the wind works: the grid turned and mirrored so that the wind blows along
+// +v at 0 <= theta <= 45 degrees from the axis. Every rule is written once, for this case; a turned wind on a turned
+// scene is the same run.
 #pragma once
 
 #include <cstddef>

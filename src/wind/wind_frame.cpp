@@ -1,4 +1,4 @@
-#include "transport/wind_frame.h"
+#include "wind/wind_frame.h"
 
 #include <cmath>
 #include <numbers>

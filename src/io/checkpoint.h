@@ -1,0 +1,27 @@
+// A run, saved so that it goes on to the same bits.
+#pragma once
+
+#include <filesystem>
+
+#include "sim/config.h"
+#include "sim/simulation.h"
+
+namespace erg {
+
+/// What a checkpoint holds.
+struct Saved {
+  Config config;
+  RunState state;
+};
+
+/// The version of the checkpoint format that this program writes; it reads no other.
+inline constexpr std::uint32_t checkpoint_version = 1;
+
+/// Writes config, step, totals, account, layers and fields, with a checksum; whole or not at all. Throws InputError
+/// when it cannot be written.
+void write_checkpoint(const std::filesystem::path& path, const Config& config, const RunState& state);
+
+/// Reads a checkpoint. A missing, foreign, newer, truncated or damaged file is refused with an InputError.
+Saved read_checkpoint(const std::filesystem::path& path);
+
+}  // namespace erg

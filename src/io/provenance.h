@@ -1,0 +1,27 @@
+// Where a file came from. Every file that leaves the program says so in its own way, with the same words.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace erg {
+
+struct Provenance {
+  std::string config;  ///< the run's whole config, as JSON text
+  std::uint64_t seed = 0;
+  std::int64_t step = 0;  ///< steps done
+  std::string model;      ///< key in the catalogue
+  std::string version;    ///< of the program
+  std::string executor;   ///< "cpu, 2 threads"
+};
+
+/// Names and texts to write into a file, in order.
+using MetadataEntries = std::vector<std::pair<std::string, std::string>>;
+
+/// The provenance as entries: "erg:version", "erg:model", "erg:seed", "erg:step", "erg:executor", "erg:config". A PNG
+/// carries them as text chunks, a VTI as field data of strings, a CSV as comment lines before its header.
+MetadataEntries metadata(const Provenance& provenance);
+
+}  // namespace erg

@@ -1,0 +1,19 @@
+// Terrains for ParaView.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "core/terrain.h"
+#include "io/provenance.h"
+
+namespace erg {
+
+/// Writes VTK XML image data (.vti), one point at each cell's centre, values appended in binary: "surface", "sand" and
+/// "bedrock" in m, "shadow" (1 dark) where a map is given, and every declared field under its key. The provenance
+/// stands in the field data as strings. In ParaView: Warp By Scalar with "surface". Throws InputError when it cannot be
+/// written.
+void write_vti(const std::filesystem::path& path, const Terrain& terrain, const Grid<std::uint8_t>* shadow,
+               const Provenance& provenance);
+
+}  // namespace erg
