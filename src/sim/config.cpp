@@ -1,19 +1,129 @@
 #include "sim/config.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "models/model.h"
 #include "transport/executor.h"
+#include "wind/bearing.h"
 
 namespace erg {
 namespace {
 
 constexpr const char* default_model = "momiji";
+constexpr std::int64_t most_steps = 1'000'000'000;
 
 Parameter only_when(Parameter parameter, std::vector<std::string> condition) {
   parameter.only_when = std::move(condition);
   return parameter;
 }
 
+/// One `--set`: finds what the key means and sets it.
+class Assignment {
+ public:
+  Assignment(Config& config, const std::string& assignment) : config_(config), place_("--set " + assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw InputError(place_, "not an assignment", "expected key=value, for example run.steps=500");
+    }
+    key_ = assignment.substr(0, equals);
+    value_ = assignment.substr(equals + 1);
+  }
+
+  void apply() {
+    if (key_ == "model") return set_model();
+    if (key_ == "title") return void(config_.title = value_);
+    if (key_ == "description") return void(config_.description = value_);
+    const std::vector<std::string> matches = full_keys_matching();
+    if (matches.empty()) throw InputError(place_, "unknown key " + quoted(key_), suggestion(key_, possible_keys()));
+    if (matches.size() > 1) {
+      throw InputError(place_, quoted(key_) + " is found in several groups", "say which: " + listed(matches));
+    }
+    set(matches.front());
+  }
+
+ private:
+  static std::string listed(const std::vector<std::string>& words) {
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "" : " or ") + word;
+    return all;
+  }
+
+  /// "grid.nx" ... of every value that can be set in a group.
+  std::vector<std::string> full_keys() const {
+    std::vector<std::string> keys{"wind.bearing", "wind.strength"};
+    for (const ConfigGroup& group : config_groups()) {
+      for (const Parameter& parameter : (config_.*group.values).declared()) {
+        keys.push_back(group.key + "." + parameter.key);
+      }
+    }
+    return keys;
+  }
+
+  /// Full keys that are `key_` or end in ".key_".
+  std::vector<std::string> full_keys_matching() const {
+    std::vector<std::string> matches;
+    for (const std::string& full : full_keys()) {
+      if (full == key_ || full.substr(full.find('.') + 1) == key_) matches.push_back(full);
+    }
+    return matches;
+  }
+
+  /// What the unknown key may have been meant as: full keys if it names a group, else bare ones.
+  std::vector<std::string> possible_keys() const {
+    std::vector<std::string> keys = full_keys();
+    if (key_.find('.') != std::string::npos) return keys;
+    for (std::string& key : keys) key.erase(0, key.find('.') + 1);
+    keys.insert(keys.end(), {"model", "title", "description"});
+    return keys;
+  }
+
+  void set_model() {
+    const std::vector<std::string> keys = model_keys();
+    if (std::ranges::find(keys, value_) == keys.end()) {
+      throw InputError(place_, "unknown model " + quoted(value_), suggestion(value_, keys));
+    }
+    change_model(config_, value_);
+  }
+
+  void set(const std::string& full_key) {
+    const std::string key = full_key.substr(full_key.find('.') + 1);
+    if (full_key.starts_with("wind.")) return set_wind(key);
+    for (const ConfigGroup& group : config_groups()) {
+      ParameterValues& values = config_.*group.values;
+      if (full_key == group.key + "." + key) values.set(key, parse_value(*values.find(key), value_, place_));
+    }
+  }
+
+  void set_wind(const std::string& key) {
+    if (config_.wind.seasons.size() != 1) {
+      throw InputError(place_, "the wind has " + std::to_string(config_.wind.seasons.size()) + " seasons",
+                       "change them in the config");
+    }
+    Season& season = config_.wind.seasons.front();
+    if (key == "bearing") {
+      season.bearing = parse_bearing(value_, place_);
+    } else {
+      season.first = season.last = std::get<double>(parse_value(strength_parameter(), value_, place_));
+    }
+  }
+
+  Config& config_;
+  std::string place_;
+  std::string key_;
+  std::string value_;
+};
+
 }  // namespace
+
+Parameter strength_parameter() {
+  return real_parameter("strength", "Strength", "", Season{}.first, smallest_strength, largest_strength,
+                        "Strength of the wind: cells a hop for slab models, m/s for the others.");
+}
+
+Parameter season_steps_parameter() {
+  return integer_parameter("steps", "Steps", "", Season{}.steps, 1, most_steps, "Time steps that the season lasts.");
+}
 
 Parameters grid_parameters() {
   return {
@@ -62,7 +172,6 @@ Parameters scene_parameters() {
 }
 
 Parameters run_parameters() {
-  constexpr std::int64_t most_steps = 1'000'000'000;
   constexpr std::int64_t largest_seed = std::int64_t{1} << 53;  // every JSON reader keeps whole numbers up to here
   return {
       integer_parameter("steps", "Steps", "", 1000, 0, most_steps, "Time steps to run."),
@@ -79,5 +188,40 @@ Parameters run_parameters() {
                 {"executor", "auto", "cpu"}),
   };
 }
+
+Config::Config() : Config(default_model) {}
+
+Config::Config(const std::string& model_key)
+    : model(model_key),
+      grid(grid_parameters()),
+      scene(scene_parameters()),
+      run(run_parameters()),
+      parameters(find_model(model_key).parameters) {}
+
+const std::vector<ConfigGroup>& config_groups() {
+  static const std::vector<ConfigGroup> groups{
+      {"grid", &Config::grid}, {"scene", &Config::scene}, {"parameters", &Config::parameters}, {"run", &Config::run}};
+  return groups;
+}
+
+std::vector<std::string> model_keys() {
+  std::vector<std::string> keys;
+  for (const ModelType& type : catalogue()) keys.push_back(type.info.key);
+  return keys;
+}
+
+void change_model(Config& config, const std::string& model_key) {
+  ParameterValues values(find_model(model_key).parameters);
+  for (const Parameter& parameter : config.parameters.declared()) {
+    const Parameter* same = values.find(parameter.key);
+    if (same == nullptr || config.parameters.is_default(parameter.key)) continue;
+    const ParameterValue& value = config.parameters.value(parameter.key);
+    if (!check_value(*same, value, "")) values.set(parameter.key, value);
+  }
+  config.model = model_key;
+  config.parameters = std::move(values);
+}
+
+void set_from_text(Config& config, const std::string& assignment) { Assignment(config, assignment).apply(); }
 
 }  // namespace erg

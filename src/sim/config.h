@@ -18,6 +18,10 @@ Parameters grid_parameters();   ///< "grid": nx, ny, cell_size, boundary, inflow
 Parameters scene_parameters();  ///< "scene": kind and what each kind needs
 Parameters run_parameters();    ///< "run": steps, seed, executor, threads, sweeps
 
+/// Declarations of what a season of the wind holds besides its bearing and curve.
+Parameter strength_parameter();
+Parameter season_steps_parameter();
+
 /// One run, whole.
 struct Config {
   /// A config of the default model with every value at its default.
@@ -43,6 +47,13 @@ struct ConfigGroup {
   ParameterValues Config::*values;
 };
 const std::vector<ConfigGroup>& config_groups();
+
+/// Changes the model. Values that were set (are not at their default) stay where the new model has the same parameter and
+/// accepts them; all others take the new model's defaults. Throws InputError for an unknown key.
+void change_model(Config& config, const std::string& model_key);
+
+/// The keys of all models, in the catalogue's order.
+std::vector<std::string> model_keys();
 
 /// Sets one value from text, as `--set` does: "group.key=value" or "key=value" where the key is found in one group
 /// only; "model=...", "wind.bearing=...", "wind.strength=..." too. Throws InputError.
