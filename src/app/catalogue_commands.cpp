@@ -33,8 +33,8 @@ TextTable field_table(const std::vector<FieldInfo>& fields) {
   TextTable table;
   table.heading = {"field", "unit", "range", "meaning"};
   for (const FieldInfo& field : fields) {
-    table.rows.push_back({field.key, field.unit, fixed_text(field.minimum, 2) + " to " + fixed_text(field.maximum, 2),
-                          field.meaning});
+    table.rows.push_back(
+        {field.key, field.unit, fixed_text(field.minimum, 2) + " to " + fixed_text(field.maximum, 2), field.meaning});
   }
   return table;
 }
@@ -91,7 +91,8 @@ void add_model_command(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("model", "Show a model and its parameters");
   command->add_option("NAME", options->key, "Key of the model (`erg models` lists them)")->required();
   command->add_flag("--markdown", options->markdown, "Write Markdown, as in docs/models/");
-  command->callback([&action, options] { action = [options] { return print_model(options->key, options->markdown); }; });
+  command->callback(
+      [&action, options] { action = [options] { return print_model(options->key, options->markdown); }; });
 }
 
 }  // namespace erg

@@ -1,4 +1,5 @@
-// A simulation with a stop-watch and an eye on its dunes: where the numbers of `--stats`, `bench` and `validate` come from.
+// A simulation with a stop-watch and an eye on its dunes: where the numbers of `--stats`, `bench` and `validate` come
+// from.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +21,10 @@ struct RunStatistics {
   double flux = 0;             ///< slabs per step that pass one cell of a line across the wind, mean since step 0
   StepReport totals;           ///< since step 0
   MassLedger ledger;
-  std::int64_t mass_now = 0;   ///< slabs on the grid, counted
-  std::uint64_t hash = 0;      ///< state_hash
-  double seconds = 0;          ///< spent in steps, since this program took up the run
-  double polls_per_second = 0; ///< over the same steps
+  std::int64_t mass_now = 0;    ///< slabs on the grid, counted
+  std::uint64_t hash = 0;       ///< state_hash
+  double seconds = 0;           ///< spent in steps, since this program took up the run
+  double polls_per_second = 0;  ///< over the same steps
 };
 
 /// Takes a simulation from where it stands to step `last_step`.

@@ -60,7 +60,8 @@ std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor
   std::fprintf(stderr, "validate: %s, %s, %d seed%s ... ", config.title.c_str(), executor.c_str(), seeds,
                seeds == 1 ? "" : "s");
   // The serial executor uses one thread, so as many runs as there are processors go side by side.
-  const int side_by_side = executor == "serial" ? std::max(1, static_cast<int>(std::thread::hardware_concurrency())) : 1;
+  const int side_by_side =
+      executor == "serial" ? std::max(1, static_cast<int>(std::thread::hardware_concurrency())) : 1;
   std::vector<SeedRun> runs;
   for (int first = 1; first <= seeds; first += side_by_side) {
     std::vector<std::future<SeedRun>> batch;

@@ -24,7 +24,8 @@ void add_validate_command(CLI::App& program, Action& action) {
     std::string out;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("validate", "Measure what is in print beside this program's figures (long)");
+  CLI::App* command =
+      program.add_subcommand("validate", "Measure what is in print beside this program's figures (long)");
   command->add_flag("--quick", options->validation.quick, "Fewer seeds and steps, only the small scenes");
   command->add_option("--out", options->out, "Markdown file to write (default: print)");
   command->callback([&action, options] {

@@ -18,9 +18,9 @@ struct PublishedScene {
 };
 
 constexpr PublishedScene published_scenes[] = {
-    {"werner_barchans", 26, false},   {"werner_transverse", 28, false}, {"werner_star", 23, false},
-    {"werner_linear", 0, false},      {"momiji_barchans", 26, false},   {"momiji_transverse", 34, true},
-    {"momiji_star", 22, false},       {"bishop_barchans", 28, false},   {"momiji_barchans_1024", 29, true},
+    {"werner_barchans", 26, false}, {"werner_transverse", 28, false}, {"werner_star", 23, false},
+    {"werner_linear", 0, false},    {"momiji_barchans", 26, false},   {"momiji_transverse", 34, true},
+    {"momiji_star", 22, false},     {"bishop_barchans", 28, false},   {"momiji_barchans_1024", 29, true},
     {"momiji_rocks", 0, true},
 };
 
@@ -65,7 +65,8 @@ std::string published_section(const ValidationOptions& options) {
     }
     table.rows.push_back(row);
   }
-  return "## Thickest column, in slabs, beside print\n\nPrinted figures: one run each of another program (Cimbura 2022, "
+  return "## Thickest column, in slabs, beside print\n\nPrinted figures: one run each of another program (Cimbura "
+         "2022, "
          "tables 6.1 to 6.7). Ours: mean over " +
          std::to_string(seeds) + " seed(s), spread over the seeds in brackets.\n\n" + table.markdown();
 }

@@ -122,8 +122,8 @@ std::string bearings_section(const ValidationOptions& options) {
     Sample straight_speed;
     for (const double bearing : {270.0, 255.0, 240.0, 225.0, 180.0}) {
       Config config = thesis_config("momiji_barchans");
-      for (const std::string& assignment : {"grid.nx=" + side, "grid.ny=" + side, "run.steps=" + steps,
-                                            std::string("parameters.polling=") + polling}) {
+      for (const std::string& assignment :
+           {"grid.nx=" + side, "grid.ny=" + side, "run.steps=" + steps, std::string("parameters.polling=") + polling}) {
         set_from_text(config, assignment);
       }
       config.wind = Regime::constant(bearing, config.wind.at(0).strength);
