@@ -31,7 +31,7 @@ class InputError : public std::runtime_error {
 };
 
 /// The text in double quotes for a message: on one line, cut after 60 bytes.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// The candidate that `word` most likely meant (edit distance at most a third of its length, at least 2), or "".
 std::string nearest_word(std::string_view word, std::span<const std::string> candidates);

@@ -39,7 +39,7 @@ std::optional<Number> number_from(std::string_view text) {
 
 std::string shown(const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr ? quoted(*text) : value_text(value);
+  return text != nullptr ? in_quotes(*text) : value_text(value);
 }
 
 Mistake unacceptable(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
@@ -62,7 +62,7 @@ std::optional<Mistake> check_choice(const Parameter& parameter, const ParameterV
   const auto* text = std::get_if<std::string>(&value);
   if (text == nullptr) return unacceptable(parameter, value, place);
   if (std::ranges::find(parameter.choices, *text) != parameter.choices.end()) return std::nullopt;
-  return Mistake{place, "unknown " + parameter.key + " " + quoted(*text), suggestion(*text, parameter.choices)};
+  return Mistake{place, "unknown " + parameter.key + " " + in_quotes(*text), suggestion(*text, parameter.choices)};
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ void ParameterValues::set(std::string_view key, ParameterValue value) {
   if (parameter == nullptr) {
     std::vector<std::string> keys;
     for (const Parameter& known : declared_) keys.push_back(known.key);
-    throw InputError("", "unknown key " + quoted(key), suggestion(key, keys));
+    throw InputError("", "unknown key " + in_quotes(key), suggestion(key, keys));
   }
   if (auto mistake = check_value(*parameter, value, "")) throw InputError({std::move(*mistake)});
   values_[position(key)] = stored(*parameter, std::move(value));

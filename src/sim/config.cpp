@@ -35,9 +35,9 @@ class Assignment {
     if (key_ == "title") return void(config_.title = value_);
     if (key_ == "description") return void(config_.description = value_);
     const std::vector<std::string> matches = full_keys_matching();
-    if (matches.empty()) throw InputError(place_, "unknown key " + quoted(key_), suggestion(key_, possible_keys()));
+    if (matches.empty()) throw InputError(place_, "unknown key " + in_quotes(key_), suggestion(key_, possible_keys()));
     if (matches.size() > 1) {
-      throw InputError(place_, quoted(key_) + " is found in several groups", "say which: " + listed(matches));
+      throw InputError(place_, in_quotes(key_) + " is found in several groups", "say which: " + listed(matches));
     }
     set(matches.front());
   }
@@ -81,7 +81,7 @@ class Assignment {
   void set_model() {
     const std::vector<std::string> keys = model_keys();
     if (std::ranges::find(keys, value_) == keys.end()) {
-      throw InputError(place_, "unknown model " + quoted(value_), suggestion(value_, keys));
+      throw InputError(place_, "unknown model " + in_quotes(value_), suggestion(value_, keys));
     }
     change_model(config_, value_);
   }

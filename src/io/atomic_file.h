@@ -1,0 +1,14 @@
+// Files written whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace erg {
+
+/// Writes `content` to `path`: first into a new file beside it, flushed to the disk, then renamed over it. So a reader,
+/// or the next start after a power cut, sees the old file or the new one and nothing between. Folders must exist.
+/// Throws InputError when it cannot; the old file is then untouched.
+void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace erg

@@ -1,0 +1,92 @@
+#include "io/config_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "io/atomic_file.h"
+#include "io/config_reader.h"
+
+namespace erg {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Far more than any config; keeps a wrong file from filling the memory.
+constexpr std::size_t largest_config = 16u << 20;
+
+/// "did you mean" the file in the same folder with nearly the same name, or `otherwise`.
+std::string missing_file_remedy(const fs::path& path, const std::string& otherwise) {
+  std::vector<std::string> names;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    names.push_back(entry->path().filename().string());
+  }
+  const std::string near = nearest_word(path.filename().string(), names);
+  return near.empty() ? otherwise : "did you mean \"" + (path.parent_path() / near).string() + "\"?";
+}
+
+std::string text_of_file(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error))
+    throw InputError(path.string(), "this is a folder", "give the name of a config file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    const int reason = errno;
+    if (fs::exists(path, error)) throw InputError(path.string(), "cannot read this file", std::strerror(reason));
+    throw InputError(path.string(), "there is no such file", missing_file_remedy(path, "check its name and folder"));
+  }
+  std::string text(largest_config + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw InputError(path.string(), "cannot read this file", "check the disk");
+  if (text.size() > largest_config) throw InputError(path.string(), "this file is too large", "is it a config?");
+  return text;
+}
+
+/// The picture's path relative to the working folder, from one relative to the config's folder.
+std::string from_config_folder(const std::string& image, const fs::path& config_path) {
+  if (image.empty()) return image;
+  return (config_path.parent_path() / fs::path(image)).lexically_normal().generic_string();
+}
+
+/// The way back. A path that cannot be made relative stays absolute.
+std::string to_config_folder(const std::string& image, const fs::path& config_path) {
+  if (image.empty()) return image;
+  const fs::path absolute_image = fs::absolute(image).lexically_normal();
+  const fs::path folder = fs::absolute(config_path).lexically_normal().parent_path();
+  const fs::path relative = absolute_image.lexically_relative(folder);
+  const bool below = !relative.empty() && *relative.begin() != "..";
+  return (fs::path(image).is_relative() || below ? relative : absolute_image).generic_string();
+}
+
+}  // namespace
+
+Config read_config(const fs::path& path) {
+  ConfigReading reading = read_config_text(text_of_file(path), path.string());
+  ParameterValues& scene = reading.config.scene;
+  scene.set("image", from_config_folder(scene.text("image"), path));
+  const std::string& image = scene.text("image");
+  std::error_code error;
+  if (scene.text("kind") == "image" && !image.empty() && !fs::is_regular_file(image, error)) {
+    reading.mistakes.add(reading.image_line, "there is no picture " + in_quotes(image),
+                         missing_file_remedy(image, "its path is relative to the config's folder"));
+  }
+  reading.mistakes.throw_if_any();
+  return std::move(reading.config);
+}
+
+Config parse_config(std::string_view text, const std::string& name) {
+  ConfigReading reading = read_config_text(text, name);
+  reading.mistakes.throw_if_any();
+  return std::move(reading.config);
+}
+
+void write_config(const fs::path& path, const Config& config) {
+  Config portable = config;
+  portable.scene.set("image", to_config_folder(config.scene.text("image"), path));
+  write_file_atomically(path, config_text(portable));
+}
+
+}  // namespace erg

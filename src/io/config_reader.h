@@ -1,0 +1,40 @@
+// From the text of a config to a Config, collecting every mistake on the way.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/errors.h"
+#include "sim/config.h"
+
+namespace erg {
+
+/// The mistakes found in one file.
+class MistakeList {
+ public:
+  explicit MistakeList(std::string name) : name_(std::move(name)) {}
+
+  void add(int line, std::string problem, std::string remedy);
+  /// One that knows its place better than by line; it is sorted behind all others.
+  void add_last(Mistake mistake);
+  std::string place(int line) const { return name_ + ":" + std::to_string(line); }
+  /// Throws one InputError with all mistakes, in the order of lines.
+  void throw_if_any() const;
+
+ private:
+  std::string name_;
+  std::vector<std::pair<int, Mistake>> found_;
+};
+
+/// What a config's text says. The config is of use only when there are no mistakes.
+struct ConfigReading {
+  Config config;
+  MistakeList mistakes;
+  int image_line = 0;  ///< where scene.image stands
+};
+
+ConfigReading read_config_text(std::string_view text, const std::string& name);
+
+}  // namespace erg

@@ -1,0 +1,75 @@
+// From a Config to the text of a file.
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "io/config_file.h"
+#include "io/json_print.h"
+
+namespace erg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Values that are written though they are at their defaults, because a reader looks for them.
+constexpr std::array<std::string_view, 5> always_written{"grid.nx", "grid.ny", "scene.kind", "run.steps", "run.seed"};
+
+Json group_json(const std::string& group, const ParameterValues& values) {
+  Json json = Json::object();
+  for (const Parameter& parameter : values.declared()) {
+    const bool always = std::ranges::find(always_written, group + "." + parameter.key) != always_written.end();
+    if (always || !values.is_default(parameter.key)) {
+      json[parameter.key] = json_value(parameter, values.value(parameter.key));
+    }
+  }
+  return json;
+}
+
+Json point_json(const CurvePoint& point) { return Json::array({json_value(point.x), json_value(point.y)}); }
+
+Json season_json(const Season& season) {
+  Json json;
+  json["bearing"] = json_value(season.bearing);
+  if (season.first == season.last) {
+    json["strength"] = json_value(season.first);
+  } else {
+    json["first"] = json_value(season.first);
+    json["last"] = json_value(season.last);
+  }
+  json["steps"] = season.steps;
+  if (season.curve != BezierCurve{}) {
+    json["curve"] = Json::array({point_json(season.curve.first), point_json(season.curve.second)});
+  }
+  return json;
+}
+
+Json wind_json(const Regime& wind) {
+  const Season& only = wind.seasons.front();
+  Json json;
+  if (wind == Regime::constant(only.bearing, only.first)) {
+    json["bearing"] = json_value(only.bearing);
+    json["strength"] = json_value(only.first);
+    return json;
+  }
+  json["seasons"] = Json::array();
+  for (const Season& season : wind.seasons) json["seasons"].push_back(season_json(season));
+  return json;
+}
+
+}  // namespace
+
+std::string config_text(const Config& config) {
+  Json json;
+  json["erg"] = config_version;
+  if (!config.title.empty()) json["title"] = config.title;
+  if (!config.description.empty()) json["description"] = config.description;
+  json["model"] = config.model;
+  for (const ConfigGroup& group : config_groups()) {
+    if (group.key == "run") json["wind"] = wind_json(config.wind);
+    Json values = group_json(group.key, config.*group.values);
+    if (!values.empty()) json[group.key] = std::move(values);
+  }
+  return pretty_json(json);
+}
+
+}  // namespace erg
