@@ -116,9 +116,11 @@ void RunOutput::write_state() {
   const Terrain& terrain = simulation_.terrain();
   const Provenance source = provenance();
   if (wants("png")) {
-    const std::string caption = simulation_.model_type().info.title + ", step " + std::to_string(source.step);
+    PictureOptions options;
+    options.wind = simulation_.last_wind();
+    options.caption = simulation_.model_type().info.title + ", step " + std::to_string(source.step);
     const fs::path path = numbered(".png");
-    write_png(path, draw_picture(terrain, {.wind = simulation_.last_wind(), .caption = caption}), metadata(source));
+    write_png(path, draw_picture(terrain, options), metadata(source));
     files_.push_back(path);
   }
   if (wants("png16")) {
