@@ -57,8 +57,7 @@ void transform_lines(Spectrum2D& grid, bool forward) {
 
 }  // namespace
 
-CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, int largest_side) {
-  const Extent extent{std::min(terrain.nx(), largest_side), std::min(terrain.ny(), largest_side)};
+CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, Extent extent) {
   CoarseSurface coarse{Grid<double>(extent), static_cast<double>(terrain.nx()) / extent.nx,
                        static_cast<double>(terrain.ny()) / extent.ny, terrain.boundary() == Boundary::torus};
   const auto height = [&](int x, int y) {
@@ -76,6 +75,11 @@ CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, int largest_si
     });
   }
   return coarse;
+}
+
+CoarseSurface coarse_surface(const Terrain& terrain, Layer layer) {
+  constexpr int largest = 1024;
+  return coarse_surface(terrain, layer, {std::min(terrain.nx(), largest), std::min(terrain.ny(), largest)});
 }
 
 Spectrum2D transform(const CoarseSurface& surface) {

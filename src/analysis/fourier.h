@@ -22,9 +22,12 @@ struct CoarseSurface {
   bool periodic = true;  ///< true on a torus
 };
 
-/// The layer with no side above `largest_side` blocks: larger terrains are averaged over equal (if need be fractional)
-/// blocks, which keeps the mean exactly.
-CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, int largest_side = 1024);
+/// The means of a layer over equal (if need be fractional) blocks, `blocks` of them on each side, at most one a cell. The
+/// mean of the whole is kept exactly.
+CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, Extent blocks);
+
+/// The same with at most 1024 blocks a side: fine enough for spacing and motion of whole dunes.
+CoarseSurface coarse_surface(const Terrain& terrain, Layer layer);
 
 using Spectrum2D = Grid<std::complex<double>>;
 

@@ -1,0 +1,104 @@
+#include "io/png_file.h"
+
+#include <png.h>
+
+#include <bit>
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "core/errors.h"
+#include "io/image.h"
+
+namespace erg {
+namespace {
+
+void append_bytes(png_structp png, png_bytep data, png_size_t count) {
+  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), count);
+}
+
+void ignore_flush(png_structp) {}
+void ignore_warning(png_structp, png_const_charp) {}
+[[noreturn]] void jump_back(png_structp png, png_const_charp) { png_longjmp(png, 1); }
+
+std::vector<png_text> text_chunks(const MetadataEntries& entries) {
+  std::vector<png_text> chunks;
+  for (const auto& [name, text] : entries) {
+    png_text chunk{};
+    chunk.compression = PNG_ITXT_COMPRESSION_NONE;  // international text: the config is UTF-8
+    chunk.key = const_cast<char*>(name.c_str());    // libpng does not write to it
+    chunk.text = const_cast<char*>(text.c_str());
+    chunk.itxt_length = text.size();
+    chunks.push_back(chunk);
+  }
+  return chunks;
+}
+
+// libpng reports an error by jumping back here, so nothing in this function may need a destructor.
+bool write_all(png_structp png, png_infop info, const PngPixels& pixels, std::vector<png_text>& chunks,
+               std::vector<png_bytep>& rows) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_IHDR(png, info, static_cast<png_uint_32>(pixels.width), static_cast<png_uint_32>(pixels.height), pixels.bits,
+               pixels.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_text(png, info, chunks.data(), static_cast<int>(chunks.size()));
+  png_write_info(png, info);
+  if (pixels.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
+  png_write_image(png, rows.data());
+  png_write_end(png, nullptr);
+  return true;
+}
+
+bool read_header(png_structp png, png_infop info, std::FILE* file) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_init_io(png, file);
+  png_read_info(png, info);
+  return true;
+}
+
+MetadataEntries collect_text(png_structp png, png_infop info) {
+  png_textp chunks = nullptr;
+  const int count = png_get_text(png, info, &chunks, nullptr);
+  MetadataEntries entries;
+  for (int index = 0; index < count; ++index) entries.emplace_back(chunks[index].key, chunks[index].text);
+  return entries;
+}
+
+}  // namespace
+
+std::string encode_png(const PngPixels& pixels, const MetadataEntries& entries, const std::filesystem::path& path) {
+  std::string bytes;
+  std::vector<png_text> chunks = text_chunks(entries);
+  std::vector<png_bytep> rows(static_cast<std::size_t>(pixels.height));
+  const std::size_t row_bytes = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.channels) *
+                                static_cast<std::size_t>(pixels.bits / 8);
+  auto* first = static_cast<png_bytep>(const_cast<void*>(pixels.first));  // libpng does not write to it
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = first + row * row_bytes;
+
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jump_back, ignore_warning);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  bool written = false;
+  if (info != nullptr) {
+    png_set_write_fn(png, &bytes, append_bytes, ignore_flush);
+    written = write_all(png, info, pixels, chunks, rows);
+  }
+  png_destroy_write_struct(&png, &info);
+  if (!written) throw InputError(path.string(), "the picture could not be encoded as PNG", "choose a smaller picture");
+  return bytes;
+}
+
+MetadataEntries read_png_metadata(const std::filesystem::path& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) throw InputError(path.string(), "cannot be opened", "check the name and the permissions");
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, jump_back, ignore_warning);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  const bool read = info != nullptr && read_header(png, info, file.get());
+  MetadataEntries entries;
+  if (read) entries = collect_text(png, info);
+  png_destroy_read_struct(&png, &info, nullptr);
+  if (!read) throw InputError(path.string(), "is no PNG or is damaged", "give a PNG that this program wrote");
+  return entries;
+}
+
+}  // namespace erg
