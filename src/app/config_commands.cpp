@@ -27,8 +27,11 @@ ExitCode check_config(const std::string& name) {
 
 ExitCode print_presets() {
   TextTable table;
-  table.heading = {"preset", "title"};
-  for (const Preset& preset : presets()) table.rows.push_back({preset.name, read_config(preset.path.string()).title});
+  table.heading = {"preset", "title", "what it shows"};
+  for (const Preset& preset : presets()) {
+    const Config config = read_config(preset.path);
+    table.rows.push_back({preset.name, config.title, config.description});
+  }
   if (table.rows.empty()) {
     std::cerr << "No presets found beside the program or in its source tree.\n";
     return exit_failed;
