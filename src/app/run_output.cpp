@@ -24,8 +24,6 @@ const std::vector<std::string> table_columns{"step",       "wind_bearing",  "win
                                              "wavelength", "crest_bearing", "mass_now",      "mass_in",
                                              "mass_out",   "lifts",         "polls",         "flux"};
 
-constexpr int table_spectrum_side = 256;  // block means keep the long waves, and a row stays cheap on large grids
-
 void make_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
@@ -87,7 +85,7 @@ void RunOutput::add_row() {
   const Morphometry shape = measure(terrain);
   const double shadow =
       shadow_fraction(shadow_map(terrain, wind.bearing, simulation_.model().shadow_fall(terrain.cell_size())));
-  const SpectrumNumbers spectrum = measure_spectrum(coarse_surface(terrain, Layer::surface, table_spectrum_side));
+  const SpectrumNumbers spectrum = measure_spectrum(coarse_surface(terrain, Layer::surface));
   const StepReport& totals = simulation_.totals();
   const std::int64_t steps = simulation_.step_count() - last_row_step_;
   const auto cell_steps = static_cast<double>(terrain.extent().cells()) * static_cast<double>(steps);
