@@ -1,0 +1,37 @@
+// How fast the executors are, on dunes that have grown.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace erg {
+
+struct BenchOptions {
+  int grid = 1024;                  ///< cells a side
+  std::vector<std::string> models;  ///< keys; empty: every model
+  int threads = 0;                  ///< measured beside one thread; 0: one for each processor
+  int sweeps = 0;                   ///< K; 0: 8 and 16
+  double bearing = 270;             ///< degrees
+};
+
+/// One measured executor on one scene.
+struct BenchRow {
+  std::string model;
+  std::string scene;  ///< "dunes", "oblique wind", "cover", "obstacles"
+  int nx = 0;
+  int ny = 0;
+  std::string executor;
+  int threads = 1;
+  double bearing = 270;
+  int sweeps = 0;  ///< 0 for serial, which has none
+  double polls_per_second = 0;
+  double serial_polls_per_second = 0;  ///< the reference on the same scene, measured between the same repeats
+  std::uint64_t hash = 0;              ///< of the terrain after the same few steps in every row of a scene
+};
+
+/// Measures; says on standard error what it is at. Throws InputError for unknown models and models that are no slab
+/// models.
+std::vector<BenchRow> run_bench(const BenchOptions& options);
+
+}  // namespace erg

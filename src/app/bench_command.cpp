@@ -1,0 +1,81 @@
+// `erg bench`: options, and the figures as a table or JSON.
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/bench.h"
+#include "app/command.h"
+#include "app/measured_run.h"
+#include "app/text_table.h"
+#include "core/terrain.h"
+#include "wind/bearing.h"
+
+namespace erg {
+namespace {
+
+std::string json_text(const std::vector<BenchRow>& rows) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const BenchRow& row : rows) {
+    nlohmann::ordered_json object;
+    object["model"] = row.model;
+    object["scene"] = row.scene;
+    object["nx"] = row.nx;
+    object["ny"] = row.ny;
+    object["executor"] = row.executor;
+    object["threads"] = row.threads;
+    object["bearing"] = row.bearing;
+    object["sweeps"] = row.sweeps > 0 ? nlohmann::ordered_json(row.sweeps) : nlohmann::ordered_json();
+    object["polls_per_second"] = row.polls_per_second;
+    object["times_serial"] = row.polls_per_second / row.serial_polls_per_second;
+    object["state_hash"] = hash_text(row.hash);
+    list.push_back(std::move(object));
+  }
+  return list.dump(2) + "\n";
+}
+
+std::string table_text(const std::vector<BenchRow>& rows) {
+  constexpr double million = 1e6;
+  TextTable table;
+  table.heading = {"model", "scene", "bearing", "K", "threads", "serial", "cpu", "ratio"};
+  for (const BenchRow& row : rows) {
+    if (row.sweeps == 0) continue;  // the serial figure stands beside each of the others
+    table.rows.push_back({row.model, row.scene, fixed_text(row.bearing, 0), std::to_string(row.sweeps),
+                          std::to_string(row.threads), fixed_text(row.serial_polls_per_second / million, 1),
+                          fixed_text(row.polls_per_second / million, 1),
+                          fixed_text(row.polls_per_second / row.serial_polls_per_second, 1)});
+  }
+  return table.aligned() + "\nserial, cpu: million polls a second, the best of several interleaved repeats.\n";
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program, Action& action) {
+  struct Options {
+    BenchOptions bench;
+    std::string bearing = "270";
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("bench", "Measure the executors on developed dunes");
+  command->add_option("--grid", options->bench.grid, "Cells a side")
+      ->capture_default_str()
+      ->check(CLI::Range(16, largest_side));
+  command->add_option("--model", options->bench.models, "Model to measure (may be repeated; default: all)");
+  command->add_option("--threads", options->bench.threads, "Threads, measured beside one (0: every processor)")
+      ->check(CLI::Range(0, 256));
+  command->add_option("--sweeps", options->bench.sweeps, "Sub-sweeps K (default: 8 and 16)")
+      ->check(CLI::IsMember({2, 4, 8, 16, 32, 64}));
+  command->add_option("--bearing", options->bearing, "Where the wind blows from: degrees or W, NW ...")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print a JSON list of rows");
+  command->callback([&action, options] {
+    action = [options] {
+      options->bench.bearing = parse_bearing(options->bearing, "--bearing");
+      const std::vector<BenchRow> rows = run_bench(options->bench);
+      std::cout << (options->json ? json_text(rows) : table_text(rows));
+      return exit_done;
+    };
+  });
+}
+
+}  // namespace erg

@@ -1,0 +1,67 @@
+// `erg check`, `erg presets` and `erg schema`: config files without running them.
+#include <iostream>
+#include <memory>
+
+#include "app/command.h"
+#include "app/presets.h"
+#include "app/run_setup.h"
+#include "app/text_table.h"
+#include "io/config_file.h"
+#include "models/model.h"
+
+namespace erg {
+namespace {
+
+ExitCode check_config(const std::string& name) {
+  const std::string path = config_path(name);
+  const Config config = read_config(path);
+  read_scene_picture(config);
+  const ModelType& type = find_model(config.model);
+  std::cout << path << ": good; " << type.info.title << ", " << config.grid.integer("nx") << " x "
+            << config.grid.integer("ny") << " cells, " << config.run.integer("steps") << " steps\n";
+  for (const std::string& meaning : type.explain(config.parameters, config.grid.real("cell_size"))) {
+    std::cout << "  " << meaning << "\n";
+  }
+  return exit_done;
+}
+
+ExitCode print_presets() {
+  TextTable table;
+  table.heading = {"preset", "title", "what it shows"};
+  for (const Preset& preset : presets()) {
+    const Config config = read_config(preset.path);
+    table.rows.push_back({preset.name, config.title, config.description});
+  }
+  if (table.rows.empty()) {
+    std::cerr << "No presets found beside the program or in its source tree.\n";
+    return exit_failed;
+  }
+  std::cout << table.aligned() << "\nGrow one with `erg run PRESET`.\n";
+  return exit_done;
+}
+
+ExitCode print_schema() {
+  std::cout << config_schema() << "\n";
+  return exit_done;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program, Action& action) {
+  const auto name = std::make_shared<std::string>();
+  CLI::App* command = program.add_subcommand("check", "Check a config file and run nothing");
+  command->add_option("CONFIG", *name, "Config file, or the name of a preset")->required();
+  command->callback([&action, name] { action = [name] { return check_config(*name); }; });
+}
+
+void add_presets_command(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("presets", "List the presets");
+  command->callback([&action] { action = print_presets; });
+}
+
+void add_schema_command(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("schema", "Print the JSON schema of config files");
+  command->callback([&action] { action = print_schema; });
+}
+
+}  // namespace erg

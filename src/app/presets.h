@@ -1,0 +1,26 @@
+// Where the preset configs lie, and how the command line finds one by name.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace erg {
+
+struct Preset {
+  std::string name;  ///< path below the presets' folder without ".json": "barchans", "thesis/star_werner"
+  std::filesystem::path path;
+};
+
+/// The folder of the presets: of the installed program (../share/erg/cfg beside the program's folder), else of the
+/// source tree that it was built from. Empty when neither is there.
+std::filesystem::path presets_folder();
+
+/// Every preset, by name.
+std::vector<Preset> presets();
+
+/// The config file that a person means by `name`: that file when it exists, else the preset of this name. Throws
+/// InputError with the nearest preset.
+std::string config_path(const std::string& name);
+
+}  // namespace erg

@@ -1,0 +1,148 @@
+// `erg run`: grows dunes from a config.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/command.h"
+#include "app/interrupt.h"
+#include "app/measured_run.h"
+#include "app/progress.h"
+#include "app/run_output.h"
+#include "app/run_setup.h"
+#include "app/text_table.h"
+#include "io/atomic_file.h"
+#include "wind/bearing.h"
+
+namespace erg {
+namespace {
+
+constexpr const char* default_folder = "out";
+constexpr std::int64_t default_rows = 100;  // of the CSV, where --every does not say
+
+bool writes_files(const RunRequest& request) {
+  return !request.out.empty() || !request.formats.empty() || request.every > 0;
+}
+
+std::string output_folder(const RunRequest& request) { return request.out.empty() ? default_folder : request.out; }
+
+/// The run itself: step, write, show; until the last step or Ctrl-C.
+void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& run, RunOutput* output) {
+  const std::int64_t last = simulation.config().run.integer("steps");
+  const std::int64_t row_every = request.every > 0 ? request.every : std::max<std::int64_t>(1, last / default_rows);
+  Progress progress(progress_style(request.quiet), simulation.model_type().info.title, simulation.step_count(), last);
+  if (output != nullptr) output->add_row();
+  while (!run.finished() && !InterruptGuard::interrupted()) {
+    run.step();
+    progress.update(simulation.step_count(), run.polls());
+    if (output == nullptr) continue;
+    const bool end = run.finished();
+    if (end || simulation.step_count() % row_every == 0) output->add_row();
+    if (!end && request.every > 0 && simulation.step_count() % request.every == 0) output->write_state();
+  }
+}
+
+void print_summary(Simulation& simulation, const RunStatistics& numbers) {
+  const int threads = simulation.executor().threads();
+  std::cout << simulation.model_type().info.title << ": " << simulation.step_count() << " steps, "
+            << duration_text(numbers.seconds) << " (" << fixed_text(numbers.polls_per_second / 1e6, 1)
+            << " million polls/s, " << simulation.executor().name() << ", " << threads
+            << (threads == 1 ? " thread" : " threads") << ")\n";
+  if (simulation.finished()) std::cout << "  ended early: " << simulation.totals().why_finished << "\n";
+  const double speed = std::hypot(numbers.migration.x, numbers.migration.y);
+  std::cout << "  thickest column " << numbers.shape.max_slabs << " slabs, standard deviation "
+            << fixed_text(numbers.shape.sd_slabs, 2) << ", bare " << fixed_text(numbers.shape.bare_fraction * 100, 1)
+            << "%, in shadow " << fixed_text(numbers.shadow_fraction * 100, 1) << "%\n"
+            << "  wavelength " << fixed_text(numbers.spectrum.wavelength, 1) << " cells, crests along "
+            << fixed_text(numbers.spectrum.crest_bearing, 0) << " deg, migration " << fixed_text(speed, 3)
+            << " cells a step\n";
+}
+
+ExitCode stop_early(const RunRequest& request, Simulation& simulation, RunOutput* output) {
+  std::unique_ptr<RunOutput> own;
+  if (output == nullptr) {
+    own =
+        std::make_unique<RunOutput>(output_folder(request), run_name(request), std::vector<std::string>{}, simulation);
+    output = own.get();
+  }
+  const std::string path = output->write_state_checkpoint().string();
+  std::cerr << "Interrupted after step " << simulation.step_count() << " of "
+            << simulation.config().run.integer("steps") << ". Go on with: erg run --resume " << path;
+  if (writes_files(request)) std::cerr << " --out " << output_folder(request);
+  std::cerr << "\n";
+  return exit_failed;
+}
+
+/// A wrong path for the numbers should be known before the run, not after it.
+void check_stats_path(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (path.empty() || folder.empty() || std::filesystem::is_directory(folder)) return;
+  throw InputError("--stats " + path, "there is no folder " + folder.string(), "make it first");
+}
+
+ExitCode run(const RunRequest& request) {
+  check_stats_path(request.stats);
+  Simulation simulation = start_simulation(request);
+  std::unique_ptr<RunOutput> output;
+  if (writes_files(request)) {
+    const std::vector<std::string>& formats = request.formats.empty() ? output_formats() : request.formats;
+    output = std::make_unique<RunOutput>(output_folder(request), run_name(request), formats, simulation);
+  }
+  const bool needs_numbers = !request.quiet || !request.stats.empty();
+  MeasuredRun measured(simulation, simulation.config().run.integer("steps"), needs_numbers);
+  {
+    const InterruptGuard guard;
+    run_steps(request, simulation, measured, output.get());
+    if (!measured.finished()) return stop_early(request, simulation, output.get());
+  }
+  if (output != nullptr) output->write_state();
+  if (needs_numbers) {
+    const RunStatistics numbers = measured.statistics();
+    if (!request.quiet) print_summary(simulation, numbers);
+    if (!request.stats.empty()) write_file_atomically(request.stats, statistics_json(simulation, numbers));
+  }
+  if (output != nullptr && !request.quiet) {
+    for (const auto& path : output->files()) std::cout << "  wrote " << path.string() << "\n";
+  }
+  if (request.hash) std::cout << hash_text(state_hash(simulation.terrain())) << "\n";
+  return exit_done;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program, Action& action) {
+  const auto request = std::make_shared<RunRequest>();
+  CLI::App* command = program.add_subcommand("run", "Grow dunes from a config");
+  command->add_option("CONFIG", request->config, "Config file, or the name of a preset");
+  command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  const Parameters declared = run_parameters();
+  for (const Parameter& parameter : declared) {
+    command
+        ->add_option_function<std::string>(
+            "--" + parameter.key,
+            [request, key = parameter.key](const std::string& value) { request->options[key] = value; },
+            parameter.meaning + " (" + accepted_text(parameter) + ")")
+        ->type_name("");
+  }
+  command->add_option("--out", request->out,
+                      "Folder for the files of the run (default: out, once files are asked for)");
+  command->add_option("--every", request->every, "Write the files every so many steps, not only at the end")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--format", request->formats, "Files to write, with commas: png,png16,vti,csv,checkpoint")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(output_formats()));
+  command->add_option("--resume", request->resume, "Go on from a checkpoint, to --steps steps in all");
+  command->add_option("--stats", request->stats, "Write the run's numbers to this JSON file");
+  command->add_flag("--hash", request->hash, "Print the hash of the final state");
+  command->add_flag("--quiet", request->quiet, "Print nothing but errors and the hash");
+  command->callback([&action, request] {
+    if (request->config.empty() && request->resume.empty()) throw CLI::RequiredError("CONFIG or --resume");
+    action = [request] { return run(*request); };
+  });
+}
+
+}  // namespace erg

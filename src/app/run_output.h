@@ -1,0 +1,51 @@
+// The files of a run: pictures, heightmaps, VTI, a CSV of its numbers, checkpoints.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/provenance.h"
+#include "io/table.h"
+#include "sim/simulation.h"
+
+namespace erg {
+
+/// What `--format` accepts.
+const std::vector<std::string>& output_formats();
+
+class RunOutput {
+ public:
+  /// Writes into `folder` (made when missing) files whose names begin with `name`, in those `formats`. Throws
+  /// InputError where it cannot write.
+  RunOutput(std::filesystem::path folder, std::string name, std::vector<std::string> formats, Simulation& simulation);
+
+  /// True when a CSV is written: `add_row` does nothing otherwise.
+  bool has_table() const { return table_ != nullptr; }
+  /// Adds the present numbers to the CSV. Lifts, polls and flux are those since the last row.
+  void add_row();
+  /// Writes the present state in every other format.
+  void write_state();
+  /// Writes a checkpoint, whatever the formats; its path.
+  std::filesystem::path write_state_checkpoint();
+
+  /// The files written so far, in order.
+  const std::vector<std::filesystem::path>& files() const { return files_; }
+
+ private:
+  bool wants(const std::string& format) const;
+  Provenance provenance();
+  std::filesystem::path numbered(const std::string& ending) const;
+
+  std::filesystem::path folder_;
+  std::string name_;
+  std::vector<std::string> formats_;
+  Simulation& simulation_;
+  std::unique_ptr<TableFile> table_;
+  StepReport last_totals_;
+  std::int64_t last_row_step_;
+  std::vector<std::filesystem::path> files_;
+};
+
+}  // namespace erg

@@ -1,0 +1,43 @@
+// From what the command line asks for to a simulation that is ready to step.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/scene.h"
+#include "sim/simulation.h"
+
+namespace erg {
+
+/// What `erg run` was asked for.
+struct RunRequest {
+  std::string config;                          ///< file or preset; may be empty when `resume` is given
+  std::vector<std::string> assignments;        ///< of --set, in order
+  std::map<std::string, std::string> options;  ///< run parameters with an option of their own: "--steps" and its value
+  std::string resume;                          ///< checkpoint
+  std::string out;                             ///< folder; empty: not given
+  std::vector<std::string> formats;            ///< empty: not given
+  std::int64_t every = 0;                      ///< steps between outputs; 0: at the end only
+  std::string stats;                           ///< file; empty: none
+  bool hash = false;
+  bool quiet = false;
+};
+
+/// The decoded picture of an *image* scene; nothing for all other kinds. Throws InputError for a missing or damaged
+/// file.
+std::optional<HeightPicture> read_scene_picture(const Config& config);
+
+/// Builds the scene of a config, reading its picture if it has one.
+Simulation start_simulation(const Config& config);
+
+/// The simulation that the request describes, at its first step or where its checkpoint stands. Throws InputError with
+/// all mistakes of config and options.
+Simulation start_simulation(const RunRequest& request);
+
+/// A name for the run's files: that of its config or checkpoint.
+std::string run_name(const RunRequest& request);
+
+}  // namespace erg

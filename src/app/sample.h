@@ -1,0 +1,51 @@
+// Runs of one config with several seeds, and the mean and spread of their numbers.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/measured_run.h"
+#include "sim/config.h"
+
+namespace erg {
+
+/// A number that was measured once for each seed.
+class Sample {
+ public:
+  void add(double value) { values_.push_back(value); }
+  bool empty() const { return values_.empty(); }
+  double mean() const;
+  /// Standard deviation over the seeds; 0 for one seed.
+  double spread() const;
+  /// "4.25 (.17)": mean and spread.
+  std::string text(int digits) const;
+
+ private:
+  std::vector<double> values_;
+};
+
+/// One run with its numbers at the end, and the standard deviation of height (slabs) at some steps on the way.
+struct SeedRun {
+  RunStatistics end;
+  std::vector<std::pair<std::int64_t, double>> sd_at;
+};
+
+/// The config of the preset cfg/thesis/NAME.json. Throws InputError when it is not there.
+Config thesis_config(const std::string& name);
+
+/// Runs `config` on `executor` with seeds 1 to `seeds`, each to the config's last step; serial runs share the
+/// processors. `watch`: steps at which to measure the standard deviation of height.
+std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor, int seeds,
+                               const std::vector<std::int64_t>& watch = {});
+
+/// Collects one number of every run.
+template <typename Number>
+Sample sample_of(const std::vector<SeedRun>& runs, Number number) {
+  Sample sample;
+  for (const SeedRun& run : runs) sample.add(number(run));
+  return sample;
+}
+
+}  // namespace erg

@@ -1,0 +1,23 @@
+// The figures of docs/validation.md: what this program gives beside what is in print, and its two executors beside each
+// other.
+#pragma once
+
+#include <string>
+
+namespace erg {
+
+struct ValidationOptions {
+  bool quick = false;  ///< fewer seeds, fewer steps, only the small scenes
+};
+
+/// Each measures (and says on standard error what it is at) and returns a section of Markdown.
+/// Published maxima of the presets in cfg/thesis/, on `serial` and `cpu`.
+std::string published_section(const ValidationOptions& options);
+/// `serial` and `cpu`: the statistics of the same scenes over several seeds.
+std::string executors_section(const ValidationOptions& options);
+/// Barchans under a straight and several oblique winds.
+std::string bearings_section(const ValidationOptions& options);
+/// What follows from the rules by algebra.
+std::string identities_section();
+
+}  // namespace erg

@@ -1,0 +1,83 @@
+// The commands that run nothing: what they print is derived from the declarations.
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace erg::test {
+namespace {
+
+TEST(Commands, ModelsListsEveryModelAndModelItsParameters) {
+  const ScratchFolder folder;
+  const Ended models = run_erg(folder, {"models"});
+  EXPECT_EQ(models.exit_code, 0);
+  for (const std::string key : {"werner", "momiji", "bishop"}) {
+    EXPECT_NE(models.output.find("\n" + key), std::string::npos) << models.output;
+    const Ended model = run_erg(folder, {"model", key});
+    EXPECT_EQ(model.exit_code, 0);
+    EXPECT_NE(model.output.find("\np_sand "), std::string::npos) << model.output;
+  }
+  EXPECT_EQ(run_erg(folder, {"model", "wernr"}).exit_code, 2);
+}
+
+TEST(Commands, ManualPagesAreWhatTheProgramPrints) {
+  const ScratchFolder folder;
+  for (const std::string key : {"werner", "momiji", "bishop"}) {
+    const Ended page = run_erg(folder, {"model", key, "--markdown"});
+    const std::string committed = read_text(std::string(ERG_SOURCE_DIR) + "/docs/models/" + key + ".md");
+    EXPECT_NE(committed.find(page.output), std::string::npos)
+        << "docs/models/" << key << ".md is out of date: run `erg model " << key << " --markdown`";
+  }
+}
+
+TEST(Commands, EveryPresetIsGood) {
+  const ScratchFolder folder;
+  const Ended presets = run_erg(folder, {"presets"});
+  ASSERT_EQ(presets.exit_code, 0) << presets.errors;
+  int checked = 0;
+  const std::filesystem::path source = std::filesystem::path(ERG_SOURCE_DIR) / "cfg";
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source)) {
+    if (entry.path().extension() != ".json") continue;
+    const std::string name = entry.path().lexically_relative(source).replace_extension().generic_string();
+    EXPECT_NE(presets.output.find("\n" + name + " "), std::string::npos) << name << " is not listed";
+    const Ended check = run_erg(folder, {"check", name});
+    EXPECT_EQ(check.exit_code, 0) << check.errors;
+    ++checked;
+  }
+  EXPECT_GE(checked, 10);
+}
+
+TEST(Commands, SchemaIsJson) {
+  const ScratchFolder folder;
+  const Ended schema = run_erg(folder, {"schema"});
+  ASSERT_EQ(schema.exit_code, 0);
+  EXPECT_TRUE(nlohmann::json::parse(schema.output).is_object());
+}
+
+TEST(Commands, BenchWritesARowForEachExecutor) {
+  const ScratchFolder folder;
+  const Ended bench =
+      run_erg(folder, {"bench", "--grid", "64", "--model", "werner", "--threads", "2", "--sweeps", "8", "--json"});
+  ASSERT_EQ(bench.exit_code, 0) << bench.errors;
+  const nlohmann::json rows = nlohmann::json::parse(bench.output);
+  std::string cpu_hash;
+  int serial_rows = 0;
+  int cpu_rows = 0;
+  for (const nlohmann::json& row : rows) {
+    EXPECT_EQ(row.at("model"), "werner");
+    EXPECT_EQ(row.at("nx"), 64);
+    EXPECT_EQ(row.at("ny"), 64);
+    EXPECT_GT(row.at("polls_per_second"), 0);
+    serial_rows += row.at("executor") == "serial" ? 1 : 0;
+    if (row.at("executor") != "cpu") continue;
+    EXPECT_EQ(row.at("sweeps"), 8);
+    if (row.at("scene") != "dunes") continue;
+    ++cpu_rows;
+    if (cpu_hash.empty()) cpu_hash = row.at("state_hash");
+    EXPECT_EQ(row.at("state_hash"), cpu_hash) << "one and two threads give the same bits";
+  }
+  EXPECT_EQ(cpu_rows, 2);
+  EXPECT_EQ(serial_rows, 4) << "straight wind, oblique wind, cover, obstacles";
+}
+
+}  // namespace
+}  // namespace erg::test

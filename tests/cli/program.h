@@ -1,0 +1,68 @@
+// Runs the real program as a person does, in a folder of its own.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace erg::test {
+
+/// How a run of the program ended.
+struct Ended {
+  int exit_code = -1;  ///< -1 when a signal ended it
+  std::string output;  ///< standard output
+  std::string errors;  ///< standard error
+};
+
+/// A folder that is gone afterwards.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  /// The path of a file in it.
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  /// Writes a file and returns its path.
+  std::string write(const std::string& name, const std::string& text) const;
+  /// Names of the files and folders in it.
+  std::vector<std::string> entries() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The program at work in a scratch folder.
+class Program {
+ public:
+  Program(const ScratchFolder& folder, const std::vector<std::string>& arguments);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void send(int signal) const;
+  /// Standard error so far.
+  std::string errors_so_far() const;
+  Ended wait();
+
+ private:
+  pid_t process_ = -1;
+  std::filesystem::path output_;
+  std::filesystem::path errors_;
+};
+
+/// Starts the program and waits for its end.
+Ended run_erg(const ScratchFolder& folder, const std::vector<std::string>& arguments);
+
+std::string read_text(const std::filesystem::path& path);
+nlohmann::json read_json(const std::filesystem::path& path);
+
+/// A config that runs in an instant: 48 x 32 cells of Momiji, `steps` steps.
+std::string small_config(int steps);
+
+}  // namespace erg::test
