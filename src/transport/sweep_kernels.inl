@@ -387,15 +387,9 @@ class Conveyor {
 
   /// The third, fourth ... slab. Rare, so one lane at a time.
   void land_others(const Lane* arrivals) {
-    // Adding this to a lane of up to narrow_arrivals (or length) slabs sets its top bit if there are more than two.
-    constexpr std::uint64_t more_than_two = sizeof(Lane) == 1 ? 0x7d7d7d7d7d7d7d7du : 0x7ffd7ffd7ffd7ffdu;
-    constexpr std::uint64_t top_bits = sizeof(Lane) == 1 ? 0x8080808080808080u : 0x8000800080008000u;
-    const int lanes = lanes_;
-    for (int first = 0; first < lanes; first += lanes_per_word) {
-      std::uint64_t word;
-      __builtin_memcpy(&word, arrivals + first, 8);
-      for (word = (word + more_than_two) & top_bits; word != 0;) {
-        const int lane = first + take_lane(word);
+    for (int first = 0; first < lanes_; first += 64) {
+      for (std::uint64_t mask = lanes_above<2>(arrivals + first); mask != 0; mask &= mask - 1) {
+        const int lane = first + __builtin_ctzll(mask);
         land_more(lane, arrivals[lane]);
       }
     }
@@ -414,11 +408,25 @@ class Conveyor {
     most_landed_ = landed > most_landed_ ? landed : most_landed_;
   }
 
-  /// Takes the lowest lane that is not zero out of a word of lanes; returns its place (little-endian).
-  static int take_lane(std::uint64_t& word) {
-    const int lane = __builtin_ctzll(word) / lane_bits;
-    word &= ~(static_cast<std::uint64_t>(all_ones) << (lane_bits * lane));
-    return lane;
+  /// One bit for each of 64 lanes: set where the lane holds more than `limit` (0 or 2). Lanes hold less than half of what
+  /// they can, so an addition carries into a lane's top bit and no further.
+  template <int limit>
+  static std::uint64_t lanes_above(const Lane* lanes) {
+    constexpr bool bytes = sizeof(Lane) == 1;
+    constexpr std::uint64_t ones = bytes ? 0x0101010101010101u : 0x0001000100010001u;
+    constexpr std::uint64_t carry = ones * ((std::uint64_t{1} << (lane_bits - 1)) - 1 - limit);
+    // Multiplying gathers the top bits of a word's lanes in its uppermost bits, in order.
+    constexpr std::uint64_t gather = bytes ? 0x0102040810204080u : 0x0001000200040008u;
+    constexpr int gathered_at = bytes ? 56 : 48;
+    constexpr std::uint64_t gathered = (1u << lanes_per_word) - 1;
+    std::uint64_t mask = 0;
+    for (int word_number = 0; word_number < 64 / lanes_per_word; ++word_number) {
+      std::uint64_t word;
+      __builtin_memcpy(&word, lanes + word_number * lanes_per_word, 8);
+      const std::uint64_t top = ((word + carry) >> (lane_bits - 1)) & ones;
+      mask |= ((top * gather) >> gathered_at & gathered) << (word_number * lanes_per_word);
+    }
+    return mask;
   }
 
   // --- flight
@@ -462,23 +470,25 @@ class Conveyor {
   }
 
   void launch_by_height(std::int64_t flown) {
-    const std::uint32_t key = draw_key(row_word_, Draw::hop);
+    fill_random(row_.random, draw_key(row_word_, Draw::hop));
     std::uint32_t longest = 0;
-    for (int first = 0; first < lanes_; first += lanes_per_word) {
-      std::uint64_t word;
-      __builtin_memcpy(&word, row_.leaving + first, 8);
-      while (word != 0) {
-        const int i = first + take_lane(word);
-        const Lane leaving = row_.leaving[i];
-        const std::uint32_t byte = line_byte(key, static_cast<std::uint32_t>(strip_.first + i));
-        const std::uint32_t rows = hop_rows(plan_.hop_table[row_.height[i]], byte);
-        Lane& there = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(i)];
-        there = static_cast<Lane>(there + leaving);
-        if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.crowded = true;
-        strip_.counts.rows_flown += static_cast<std::int64_t>(rows) * leaving;
-        if (rows > longest) longest = rows;
+    std::uint32_t fullest = 0;
+    std::int64_t rows_flown = 0;
+    for (int first = 0; first < lanes_; first += 64) {
+      for (std::uint64_t mask = lanes_above<0>(row_.leaving + first); mask != 0; mask &= mask - 1) {
+        const int lane = first + __builtin_ctzll(mask);
+        const std::uint32_t leaving = row_.leaving[lane];
+        const std::uint32_t rows = hop_rows(plan_.hop_table[row_.height[lane]], row_.random[lane]);
+        Lane& there = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(lane)];
+        const std::uint32_t now = there + leaving;
+        there = static_cast<Lane>(now);
+        fullest = now > fullest ? now : fullest;
+        longest = rows > longest ? rows : longest;
+        rows_flown += static_cast<std::int64_t>(rows) * leaving;
       }
     }
+    if (sizeof(Lane) == 1 && fullest > narrow_arrivals) strip_.counts.crowded = true;
+    strip_.counts.rows_flown += rows_flown;
     expect(flown + longest);
   }
 
