@@ -4,10 +4,12 @@
 
 #include <cstdint>
 
+#include "core/cell_rule.h"
+
 namespace erg {
 
 /// SplitMix64's finaliser (Steele, Lea & Flood 2014): a bijection of 64-bit words that mixes every bit.
-constexpr std::uint64_t mix64(std::uint64_t word) {
+ERG_CELL_RULE std::uint64_t mix64(std::uint64_t word) {
   word += 0x9e3779b97f4a7c15u;
   word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9u;
   word = (word ^ (word >> 27)) * 0x94d049bb133111ebu;
@@ -15,7 +17,7 @@ constexpr std::uint64_t mix64(std::uint64_t word) {
 }
 
 /// A 32-bit hash with low bias (Wellons 2018, "lowbias32"): short enough for the inner loops, vectorises well.
-constexpr std::uint32_t mix32(std::uint32_t word) {
+ERG_CELL_RULE std::uint32_t mix32(std::uint32_t word) {
   word ^= word >> 16;
   word *= 0x7feb352du;
   word ^= word >> 15;
@@ -30,17 +32,17 @@ struct StepKey {
 };
 
 /// A 64-bit random word for a step and up to three further key parts.
-constexpr std::uint64_t random_word(StepKey key, std::uint64_t sweep, std::uint64_t cell, std::uint64_t draw) {
+ERG_CELL_RULE std::uint64_t random_word(StepKey key, std::uint64_t sweep, std::uint64_t cell, std::uint64_t draw) {
   return mix64(mix64(mix64(mix64(key.seed) ^ key.step) ^ (sweep << 32 | draw)) ^ cell);
 }
 
 /// The same as a number in [0, 1) with 53 random bits.
-constexpr double random_unit(StepKey key, std::uint64_t sweep, std::uint64_t cell, std::uint64_t draw) {
+ERG_CELL_RULE double random_unit(StepKey key, std::uint64_t sweep, std::uint64_t cell, std::uint64_t draw) {
   return static_cast<double>(random_word(key, sweep, cell, draw) >> 11) * 0x1.0p-53;
 }
 
 /// The same as an integer in [0, bound); bound must be positive.
-constexpr std::uint32_t random_below(StepKey key, std::uint64_t sweep, std::uint64_t cell, std::uint64_t draw,
+ERG_CELL_RULE std::uint32_t random_below(StepKey key, std::uint64_t sweep, std::uint64_t cell, std::uint64_t draw,
                                      std::uint32_t bound) {
   return static_cast<std::uint32_t>(((random_word(key, sweep, cell, draw) >> 32) * bound) >> 32);
 }

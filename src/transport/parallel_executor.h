@@ -1,0 +1,124 @@
+// The parallel executor "cpu": a time step is cut into K sub-sweeps, each of which polls a random 1/K of the cells on a
+// frozen surface, moves their slabs, and lets slopes slide. From K = 8 to 16 on it grows the same dunes as one slab at
+// a time, on any number of threads with the same bits.
+//
+// A sub-sweep has four phases, with a barrier after each: *convey* (each thread follows its strips of lines down the
+// wind), *carry* (slabs still in the air go on over the torus edge), *slide* (row bands), *seams* (between bands). It
+// is deterministic because decisions read only the frozen plane and keyed random numbers, lines never share a cell, and
+// the edges of one class of slides are disjoint.
+#pragma once
+
+#include <vector>
+
+#include "transport/sweep.h"
+#include "transport/thread_team.h"
+#include "transport/wind_frame.h"
+
+namespace erg {
+
+class ParallelExecutor : public SlabExecutor {
+ public:
+  /// options.threads must be positive, options.sweeps a power of two from 2 to 64.
+  explicit ParallelExecutor(const ExecutorOptions& options);
+
+  std::string name() const override { return "cpu"; }
+  int threads() const override { return team_.size(); }
+  StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
+  void settle(Terrain& terrain) override;
+
+ private:
+  /// The grid in the frame's order, counted from the lowest bedrock, and the strips that work on it.
+  template <typename Lane>
+  struct Planes {
+    std::vector<Lane> before;
+    std::vector<Lane> after;
+    std::vector<Lane> bedrock;  ///< empty where level
+    std::vector<Lane> steps;    ///< standing step of each cell; empty where all are the same
+    std::vector<Lane> diagonal_steps;
+    std::vector<Strip<Lane>> strips;
+    std::vector<Lane> rings;
+  };
+
+  /// One time step under way.
+  struct Progress {
+    const SlabLaw* law = nullptr;
+    StepKey key;
+    int sweep = 0;         ///< sub-sweeps done
+    int idle = 0;          ///< sub-sweeps since the last lift
+    int highest = 0;       ///< bound on the highest cell
+    bool crowded = false;  ///< the next sub-sweep needs 16-bit lanes
+    SweepCounts counts;    ///< summed over sub-sweeps
+  };
+
+  template <typename Lane>
+  auto& planes() {
+    if constexpr (sizeof(Lane) == 1) {
+      return narrow_planes_;
+    } else {
+      return wide_planes_;
+    }
+  }
+  template <typename Lane>
+  const Planes<Lane>& planes() const {
+    return const_cast<ParallelExecutor*>(this)->planes<Lane>();
+  }
+  /// 8-bit lanes hold cells up to this bound, and a step more.
+  bool narrow_fits(int highest) const { return highest + largest_step_ < 255; }
+
+  void load(const Terrain& terrain, const WindFrame& frame);
+  template <typename Visit>
+  void visit_cells(const Visit& visit);
+  template <typename Lane>
+  void load_heights(const Terrain& terrain);
+  void change_lanes(bool narrow);
+
+  template <typename Lane>
+  void load_cover(const SlabLaw& law);
+  void prepare_walls(const SlabLaw& law);
+  template <typename Lane>
+  void prepare_hops(const SlabLaw& law, double strength);
+  template <typename Lane>
+  double mean_deviation(double mean);
+  int ring_rows(int highest) const;
+  template <typename Lane>
+  void prepare_strips(int ring_rows);
+
+  bool goes_on(const Progress& progress) const;
+  template <typename Lane>
+  bool sweep_until_done(Progress& progress);
+  template <typename Lane>
+  Progress sweep_as_member(int member, Progress progress, int rows);
+  static void take_account(Progress& progress, const SweepCounts& counts, int bound);
+  template <typename Lane>
+  static SweepCounts summed(const std::vector<Strip<Lane>>& strips);
+  template <typename Lane>
+  void slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
+  template <typename Lane>
+  SweepPlan<Lane> sweep_plan(const Progress& progress, std::vector<std::uint8_t>& polled_rows) const;
+  template <typename Lane>
+  SlidePlan<Lane> slide_plan(const Progress& progress, Lane* heights) const;
+
+  ExecutorOptions options_;
+  ThreadTeam team_;
+
+  const Terrain* loaded_ = nullptr;
+  std::uint64_t revision_ = 0;
+  WindFrame frame_;
+  bool open_ = false;
+  bool relief_ = false;
+  bool narrow_ = true;
+  std::int32_t base_ = 0;  ///< lowest bedrock
+  std::int64_t bedrock_total_ = 0;
+  std::int64_t mobile_total_ = 0;
+  int highest_ = 0;  ///< bound on the highest cell over base_
+  Planes<std::uint8_t> narrow_planes_;
+  Planes<std::uint16_t> wide_planes_;
+  std::vector<std::uint8_t> cover_;
+  std::uint64_t cover_revision_ = 0;
+  bool cover_loaded_ = false;
+  std::vector<std::uint8_t> wall_rows_;
+  std::vector<std::uint32_t> hop_table_;
+  int largest_step_ = 2;
+};
+
+}  // namespace erg

@@ -1,0 +1,82 @@
+// The reference executor: one slab at a time, each seeing the surface that the last one left, as the models were
+// published (Cimbura 2022, algorithms 2-7). Slow and plain; the parallel engine is tested against its statistics.
+#pragma once
+
+#include <vector>
+
+#include "transport/executor.h"
+#include "transport/wind_frame.h"
+
+namespace erg {
+
+class SerialExecutor : public SlabExecutor {
+ public:
+  std::string name() const override { return "serial"; }
+  int threads() const override { return 1; }
+  StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
+  void settle(Terrain& terrain) override;
+
+ private:
+  /// A place in the frame. v may run over the edge while a slab flies.
+  struct Place {
+    int u = 0;
+    int v = 0;
+  };
+  /// One slab's random numbers, in the order it needs them.
+  struct Draws {
+    std::uint64_t base;
+    std::uint64_t count = 0;
+    std::uint64_t next();
+    double unit() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+  };
+
+  void load(const Terrain& terrain, const WindFrame& frame);
+  void prepare(const SlabLaw& law, const WindNow& wind, StepKey key);
+  void count_heights();
+  void measure_relief();
+  std::size_t index(int u, int v) const {
+    return static_cast<std::size_t>(u) * static_cast<std::size_t>(frame_.length) + static_cast<std::size_t>(v);
+  }
+  std::size_t polled_cell(std::int64_t poll);
+  void shuffle(std::uint64_t round);
+  bool anything_can_move(Draws draws);
+
+  bool lift(std::size_t cell, Draws& draws);
+  std::size_t steepest_neighbour(Place place, bool uphill) const;
+  void fly(Place place, std::int32_t height, Draws& draws);
+  void enter(Draws& draws, Place entry);
+  void let_inflow_enter();
+  void deposit(Place place);
+  bool in_shadow(Place place, Draws& draws) const;
+  bool inside(int& u, int& v) const;
+  double stay_chance(std::size_t cell) const;
+  int hop_rows(std::int32_t height, Draws& draws) const;
+  bool covered(std::size_t cell) const { return !cover_.empty() && cover_[cell] >= law_.covered_from; }
+  void change(std::size_t cell, int slabs);
+
+  WindFrame frame_;
+  std::uint64_t revision_ = 0;
+  const Terrain* loaded_ = nullptr;
+  bool open_ = false;
+  bool has_relief_ = false;
+  std::vector<std::int32_t> surface_;  ///< along the wind fastest, so that a look upwind reads neighbours in memory
+  std::vector<std::int32_t> bedrock_;
+  std::vector<std::uint8_t> cover_;
+  std::vector<std::uint32_t> order_;
+
+  // How many cells have each height (from lowest_ up): the highest cell and Bishop's sum come from it at once.
+  std::vector<std::int64_t> height_count_;
+  std::int32_t lowest_ = 0;
+  std::int32_t highest_ = 0;
+  double mean_ = 0;
+  double deviation_ = 0;  ///< sum of |h - mean|
+
+  SlabLaw law_;
+  double strength_ = 0;
+  StepKey key_;
+  std::int64_t row_fall_ = 0;       ///< of the shadow line per row, in 1/256 slabs
+  std::int64_t adjacent_fall_ = 0;  ///< to the next row, in 1/256 slabs
+  StepReport report_;
+};
+
+}  // namespace erg

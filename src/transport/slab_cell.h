@@ -1,0 +1,57 @@
+// The rules of one cell in one sub-sweep, for every executor that works in sub-sweeps: the CPU engine's kernels and a
+// GPU's read the same functions, so both give the same bits. Plain integer arithmetic, no state.
+#pragma once
+
+#include <cstdint>
+
+#include "core/cell_rule.h"
+#include "core/random.h"
+
+namespace erg {
+
+/// What a random byte in a sub-sweep is for.
+enum class Draw : std::uint32_t { poll = 1, hop = 2, cover = 3, inflow = 4, first_landing = 5 };
+
+/// The random word of one row (or block of rows) of lines in a sub-sweep.
+ERG_CELL_RULE std::uint64_t row_word(std::uint64_t sweep_word, std::uint32_t row) {
+  return mix64(sweep_word + 0x9e3779b97f4a7c15u * (row + 1));
+}
+
+/// The key of one draw in a row. Landing draws of the second, third ... slab at a cell follow `first_landing`.
+ERG_CELL_RULE std::uint32_t draw_key(std::uint64_t row_word, std::uint32_t draw) {
+  return mix32(static_cast<std::uint32_t>(row_word >> (draw & 1 ? 32 : 0)) + draw * 0x85ebca6bu);
+}
+ERG_CELL_RULE std::uint32_t draw_key(std::uint64_t row_word, Draw draw) {
+  return draw_key(row_word, static_cast<std::uint32_t>(draw));
+}
+
+/// Four random bytes: those of lines 4 * quad ... 4 * quad + 3.
+ERG_CELL_RULE std::uint32_t quad_word(std::uint32_t key, std::uint32_t quad) { return mix32(key + quad * 0x9e3779b9u); }
+
+/// The random byte of one line.
+ERG_CELL_RULE std::uint32_t line_byte(std::uint32_t key, std::uint32_t line) {
+  return (quad_word(key, line >> 2) >> (8 * (line & 3))) & 0xff;
+}
+
+/// A chance in 1/256, rounded at random with the row's own word so that its mean is exact: 0 never, 256 always.
+ERG_CELL_RULE std::uint32_t byte_chance(std::uint32_t chance_16, std::uint64_t row_word) {
+  return (chance_16 + static_cast<std::uint32_t>(row_word >> 56)) >> 8;
+}
+
+/// Raises a chance (of 256) to stay by the cell's cover: p + rho (1 - p).
+ERG_CELL_RULE std::uint32_t covered_chance(std::uint32_t chance, std::uint32_t cover) {
+  return chance + (cover * (256 - chance) >> 8);
+}
+
+/// Where line 0 stands in a row that may lie beyond the grid: floor((row * drift + phase) / length).
+ERG_CELL_RULE std::int32_t line_offset(std::int64_t row, std::int64_t drift, std::int64_t phase, std::int64_t length) {
+  const std::int64_t scaled = row * drift + phase;
+  return static_cast<std::int32_t>(scaled >= 0 ? scaled / length : -((-scaled + length - 1) / length));
+}
+
+/// Rows of a hop whose length is `rows_256` / 256, rounded by a random byte. rows_256 is at least 256.
+ERG_CELL_RULE std::uint32_t hop_rows(std::uint32_t rows_256, std::uint32_t random_byte) {
+  return (rows_256 + random_byte) >> 8;
+}
+
+}  // namespace erg

@@ -1,0 +1,123 @@
+// One sub-sweep of the parallel engine, as data: what the kernels read and write. The kernels themselves are compiled
+// once for each instruction set (sweep_kernels.inl); all of them give the same bits.
+//
+// Words. The grid lies in a frame in which the wind blows along +v. A *row* is a row of the frame (across the wind). A
+// *line* follows the wind: line i meets row y at column i + offset(y). A *lane* is one line's place in a vector. Plane
+// `before` is frozen: all decisions read it; plane `after` is written. Slabs in the air wait in a *ring* of rows.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "transport/executor.h"
+
+namespace erg {
+
+/// Lines that one strip holds at most; its scratch rows have this stride.
+inline constexpr int strip_lines = 256;
+/// Rows of a band: slides inside bands come first, then the seams between them.
+inline constexpr int band_rows = 32;
+/// Slabs landing at one place that 8-bit lanes can count; more makes the sub-sweep start again with 16-bit lanes.
+inline constexpr int narrow_arrivals = 100;
+
+/// Everything that all strips of a sub-sweep share. `Lane` counts slabs: 8 or 16 bits.
+template <typename Lane>
+struct SweepPlan {
+  int width = 0;
+  int length = 0;
+  const Lane* before = nullptr;
+  Lane* after = nullptr;
+  const Lane* bedrock = nullptr;            ///< null where all bedrock is level (then it is 0)
+  const std::uint8_t* cover = nullptr;      ///< null: bare
+  const std::uint8_t* wall_rows = nullptr;  ///< with obstacles: 1 where the row holds bedrock that may stop slabs
+  bool open = false;
+
+  std::uint64_t sweep_word = 0;              ///< random word of (seed, step, sub-sweep)
+  std::uint64_t poll_word = 0;               ///< the same for polls: of the whole round where polling is non-repeated
+  int sweeps = 16;                           ///< K
+  const std::uint8_t* polled_row = nullptr;  ///< non-repeated: 256 rows in [0, K), one for each random byte
+  std::int64_t drift = 0;                    ///< columns that a line moves over the length of the grid
+  std::int64_t phase = 0;                    ///< in [0, length)
+
+  std::uint32_t p_sand_16 = 0;  ///< chance * 65536
+  std::uint32_t p_bare_16 = 0;
+  bool lift_in_shadow = true;
+  bool oblique = false;
+  std::uint32_t row_fall = 0;       ///< fall of the shadow line per row, 1/256 slabs
+  std::uint32_t adjacent_fall = 0;  ///< to the next row
+  int warm_up = 0;                  ///< rows to read upwind of row 0 before the shadow is known
+  int wall_step = 0;                ///< slabs: bedrock standing higher than this over the ground before it is a wall
+
+  bool hop_by_height = false;
+  const std::uint32_t* hop_table = nullptr;  ///< rows * 256 for each height; one entry if not hop_by_height
+  int ring_rows = 0;                         ///< power of two, more than the longest hop
+  double inflow = 0;                         ///< slabs entering per line and sub-sweep
+};
+
+/// Counts of one strip in one sub-sweep.
+struct SweepCounts {
+  std::int64_t polls = 0;
+  std::int64_t lifts = 0;
+  std::int64_t rows_flown = 0;
+  std::int64_t slabs_in = 0;
+  std::int64_t slabs_out = 0;
+  std::uint32_t highest = 0;       ///< highest cell written, before what the carry adds
+  std::uint32_t most_landed = 0;   ///< most slabs set down on one cell by the conveyor
+  std::uint32_t most_carried = 0;  ///< the same by the carry
+  bool crowded = false;            ///< too many slabs at one place for 8-bit lanes
+};
+
+/// A strip of lines at work: its shadow line, its slabs in the air.
+template <typename Lane>
+struct Strip {
+  using Shadow = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
+  int first = 0;  ///< first line
+  int lines = 0;  ///< at most strip_lines
+  SweepCounts counts;
+  std::int64_t last_arrival = -1;        ///< no slab in the air comes down after this row
+  alignas(64) Shadow line[strip_lines];  ///< height of the shadow line, 1/256 slabs
+  alignas(64) Shadow near[strip_lines];  ///< the same for the adjacent cell (oblique winds)
+  alignas(64) Lane target[strip_lines];  ///< the row of the block in which the line is polled
+  Lane* ring = nullptr;                  ///< ring_rows x strip_lines, empty (0) between sub-sweeps
+};
+
+/// Slides of one sub-sweep: what all bands share.
+template <typename Lane>
+struct SlidePlan {
+  int width = 0;
+  int length = 0;
+  Lane* heights = nullptr;
+  const Lane* bedrock = nullptr;         ///< null where level
+  const Lane* steps = nullptr;           ///< standing step of each cell; null: `step` everywhere
+  const Lane* diagonal_steps = nullptr;  ///< the same to diagonal neighbours
+  int step = 2;
+  int diagonal_step = 3;
+  bool diagonals = false;
+  bool open = false;
+  std::uint8_t order[8] = {};  ///< edge classes in the order of this sub-sweep
+};
+
+/// Edge classes: edges of one class share no cell.
+enum EdgeClass : std::uint8_t {
+  along_even,
+  along_odd,
+  across_even,
+  across_odd,
+  rising_even,  ///< diagonal (u, v) - (u + 1, v + 1), v even
+  rising_odd,
+  falling_even,  ///< diagonal (u, v) - (u - 1, v + 1), v even
+  falling_odd
+};
+
+template <typename Lane>
+struct SweepKernels {
+  void (*convey)(const SweepPlan<Lane>&, Strip<Lane>&);  ///< rows 0 ... length - 1 of a strip's lines
+  void (*carry)(const SweepPlan<Lane>&, Strip<Lane>&);   ///< slabs still in the air go on over the torus edge
+  void (*slide_band)(const SlidePlan<Lane>&, int first_row, int end_row);
+  void (*slide_seam)(const SlidePlan<Lane>&, int lower_row, int upper_row);
+};
+
+template <typename Lane>
+const SweepKernels<Lane>& sweep_kernels(InstructionSet set);
+
+}  // namespace erg

@@ -1,0 +1,762 @@
+// The kernels of the parallel engine, compiled once for each instruction set into its own namespace (ERG_KERNELS). They
+// are plain loops over the lanes of a row, which the compiler turns into vectors. To keep the copies apart nothing here
+// calls an inline function of the library; the shared cell rules are forced inline.
+
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include "transport/fixed_point.h"
+#include "transport/slab_cell.h"
+#include "transport/sweep.h"
+
+namespace erg {
+namespace ERG_KERNELS {
+namespace {
+
+#define ERG_LANES _Pragma("GCC ivdep") for
+
+/// Scratch of one row of a strip. Masks are 0 or all ones.
+template <typename Lane>
+struct Row {
+  alignas(64) Lane height[strip_lines];
+  alignas(64) Lane bedrock[strip_lines];
+  alignas(64) Lane dark[strip_lines];
+  alignas(64) Lane random[strip_lines];
+  alignas(64) Lane held[strip_lines];       // mask: nothing lifts here
+  alignas(64) Lane threshold[strip_lines];  // a slab stays if its random byte is below
+  alignas(64) Lane sure[strip_lines];       // mask: every slab stays
+  alignas(64) Lane lifted[strip_lines];
+  alignas(64) Lane landed[strip_lines];
+  alignas(64) Lane leaving[strip_lines];
+  alignas(64) std::uint8_t cover[strip_lines];
+  alignas(64) Lane next_bedrock[strip_lines];
+};
+
+/// Sums of per-lane counts, flushed before they can overflow.
+template <typename Lane>
+struct LaneSums {
+  using Wide = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
+  static constexpr int rows_before_flush = 120;
+  alignas(64) Lane polls[strip_lines];
+  alignas(64) Lane lifts[strip_lines];
+  alignas(64) Wide near_hops[strip_lines];
+  alignas(64) Wide far_hops[strip_lines];
+};
+
+/// Where a strip's first line stands in the row at hand.
+struct Walk {
+  std::int64_t rest;  // (row * drift + phase) mod length
+  int column;
+  bool stepped = false;  // moved one column sideways at this row
+};
+
+template <typename Lane>
+class Conveyor {
+ public:
+  Conveyor(const SweepPlan<Lane>& plan, Strip<Lane>& strip)
+      : plan_(plan), strip_(strip), lanes_((strip.lines + 63) / 64 * 64) {
+    std::memset(&row_, 0, sizeof row_);
+    std::memset(&sums_, 0, sizeof sums_);
+  }
+
+  void convey() {
+    strip_.counts = SweepCounts{};
+    strip_.last_arrival = -1;
+    std::memset(strip_.line, 0, sizeof strip_.line);
+    std::memset(strip_.near, 0, sizeof strip_.near);
+    if (plan_.open) {
+      start_walk(0);
+    } else {
+      warm_up();
+    }
+    const int block = plan_.polled_row ? plan_.sweeps : plan_.sweeps / 2;
+    int row_in_block = 0;
+    for (int y = 0; y < plan_.length; ++y) {
+      if (row_in_block == 0) draw_polls(y, block);
+      read_row(y, y);
+      if (plan_.open) cross_open_edges(y);
+      find_shadow();
+      decide(y, static_cast<Lane>(row_in_block));
+      if (strip_.counts.crowded) return;
+      write_row(y);
+      walk_on();
+      if (++row_in_block == block) row_in_block = 0;
+    }
+    flush_sums();
+    if (plan_.open) drop_all(plan_.length);
+  }
+
+  void carry() {
+    if (strip_.last_arrival < plan_.length) return;
+    start_walk(plan_.length);
+    const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan_.length;
+    std::memset(strip_.target, 0xff, sizeof strip_.target);
+    int y = 0;
+    for (std::int64_t flown = plan_.length; flown <= strip_.last_arrival; ++flown) {
+      read_row(y, flown);
+      find_shadow();
+      if (flown > last_free_row) std::memset(row_.dark, 0xff, sizeof row_.dark);
+      decide(flown, 0);
+      if (strip_.counts.crowded) return;
+      add_row(y);
+      walk_on();
+      if (++y == plan_.length) y = 0;
+    }
+    flush_sums();
+  }
+
+ private:
+  using Shadow = typename Strip<Lane>::Shadow;
+  static constexpr Lane all_ones = static_cast<Lane>(~Lane{0});
+  static constexpr int lanes_per_word = 8 / static_cast<int>(sizeof(Lane));
+
+  // --- lines and rows
+  // -------------------------------------------------------------------------------------------------
+
+  void start_walk(std::int64_t row) {
+    const std::int64_t offset = line_offset(row, plan_.drift, plan_.phase, plan_.length);
+    walk_.rest = row * plan_.drift + plan_.phase - offset * plan_.length;
+    const std::int64_t column = (strip_.first + offset) % plan_.width;
+    walk_.column = static_cast<int>(column < 0 ? column + plan_.width : column);
+    walk_.stepped = false;
+  }
+
+  void walk_on() {
+    walk_.rest += plan_.drift;
+    walk_.stepped = walk_.rest >= plan_.length;
+    if (!walk_.stepped) return;
+    walk_.rest -= plan_.length;
+    if (++walk_.column == plan_.width) walk_.column = 0;
+  }
+
+  template <typename T>
+  void copy_in(T* lanes, const T* plane_row, int column) const {
+    const int first_run = plan_.width - column < strip_.lines ? plan_.width - column : strip_.lines;
+    std::memcpy(lanes, plane_row + column, static_cast<std::size_t>(first_run) * sizeof(T));
+    if (first_run < strip_.lines) {
+      std::memcpy(lanes + first_run, plane_row, static_cast<std::size_t>(strip_.lines - first_run) * sizeof(T));
+    }
+  }
+
+  std::size_t row_start(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(plan_.width); }
+
+  /// Reads the frozen surface. `flown` is the row counted on over the torus edge: it keys the random numbers.
+  void read_row(int y, std::int64_t flown) {
+    const Lane* heights = plan_.before + row_start(y);
+    copy_in(row_.height, heights, walk_.column);
+    const int ahead = y + prefetch_rows < plan_.length ? y + prefetch_rows : y;
+    for (int lane = 0; lane < strip_.lines; lane += 64 / static_cast<int>(sizeof(Lane))) {
+      __builtin_prefetch(plan_.before + row_start(ahead) + walk_.column + lane);
+      __builtin_prefetch(plan_.after + row_start(ahead) + walk_.column + lane, 1);
+    }
+    if (plan_.bedrock) copy_in(row_.bedrock, plan_.bedrock + row_start(y), walk_.column);
+    if (plan_.cover) copy_in(row_.cover, plan_.cover + row_start(y), walk_.column);
+    row_word_ = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
+    y_ = y;
+  }
+
+  void write_row(int y) {
+    const Lane* __restrict landed = row_.landed;
+    const Lane* __restrict lifted = row_.lifted;
+    Lane* __restrict height = row_.height;
+    Lane highest = 0;
+    ERG_LANES(int i = 0; i < lanes_; ++i) {
+      const Lane now = static_cast<Lane>(height[i] + landed[i] - lifted[i]);
+      height[i] = now;
+      highest = now > highest ? now : highest;
+    }
+    if (highest > strip_.counts.highest) strip_.counts.highest = highest;
+    Lane* out = plan_.after + row_start(y);
+    const int first_run = plan_.width - walk_.column < strip_.lines ? plan_.width - walk_.column : strip_.lines;
+    std::memcpy(out + walk_.column, height, static_cast<std::size_t>(first_run) * sizeof(Lane));
+    if (first_run < strip_.lines) {
+      std::memcpy(out, height + first_run, static_cast<std::size_t>(strip_.lines - first_run) * sizeof(Lane));
+    }
+    if (most_landed_ > strip_.counts.most_landed) strip_.counts.most_landed = most_landed_;
+  }
+
+  void add_row(int y) {
+    if (most_landed_ == 0) return;
+    Lane* out = plan_.after + row_start(y);
+    int column = walk_.column;
+    for (int i = 0; i < strip_.lines; ++i) {
+      out[column] = static_cast<Lane>(out[column] + row_.landed[i]);
+      if (++column == plan_.width) column = 0;
+    }
+    if (most_landed_ > strip_.counts.most_carried) strip_.counts.most_carried = most_landed_;
+  }
+
+  // --- shadow
+  // ---------------------------------------------------------------------------------------------------------
+
+  void warm_up() {
+    start_walk(-static_cast<std::int64_t>(plan_.warm_up));
+    int y = plan_.length - plan_.warm_up % plan_.length;
+    if (y == plan_.length) y = 0;
+    for (int left = plan_.warm_up; left > 0; --left) {
+      copy_in(row_.height, plan_.before + row_start(y), walk_.column);
+      find_shadow();
+      walk_on();
+      if (++y == plan_.length) y = 0;
+    }
+  }
+
+  /// Which lanes lie in shadow, and the shadow line for the next row.
+  void find_shadow() {
+    const Lane* __restrict height = row_.height;
+    Lane* __restrict dark = row_.dark;
+    Shadow* __restrict line = strip_.line;
+    const Shadow fall = static_cast<Shadow>(plan_.row_fall);
+    if (!plan_.oblique) {
+      ERG_LANES(int i = 0; i < lanes_; ++i) {
+        const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
+        dark[i] = top < line[i] ? all_ones : Lane{0};
+        const Shadow higher = top > line[i] ? top : line[i];
+        line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
+      }
+      return;
+    }
+    Shadow* __restrict near = strip_.near;
+    const Shadow near_fall = static_cast<Shadow>(plan_.adjacent_fall);
+    ERG_LANES(int i = 0; i < lanes_; ++i) {
+      const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
+      const Shadow shade = line[i] > near[i] ? line[i] : near[i];
+      dark[i] = top < shade ? all_ones : Lane{0};
+      const Shadow higher = top > line[i] ? top : line[i];
+      line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
+      near[i] = static_cast<Shadow>((top > near_fall ? top : near_fall) - near_fall);
+    }
+  }
+
+  // --- polls
+  // ----------------------------------------------------------------------------------------------------------
+
+  /// Each line is polled in at most one row of each block (engine: K / 2 rows with probability 1/2, or a permutation of
+  /// K rows over K sub-sweeps).
+  void draw_polls(int y, int block) {
+    const std::uint64_t word = row_word(plan_.poll_word, static_cast<std::uint32_t>(y / block));
+    const std::uint32_t key = draw_key(word, Draw::poll);
+    fill_random(strip_.target, key);
+    Lane* __restrict target = strip_.target;
+    const Lane mask = static_cast<Lane>(plan_.sweeps - 1);
+    if (plan_.polled_row) {
+      for (int i = 0; i < strip_.lines; ++i) target[i] = plan_.polled_row[target[i]];
+    } else {
+      ERG_LANES(int i = 0; i < lanes_; ++i) target[i] = static_cast<Lane>(target[i] & mask);
+    }
+    for (int i = strip_.lines; i < lanes_; ++i) target[i] = all_ones;
+    const Lane rows = static_cast<Lane>(plan_.length - y < block ? plan_.length - y : block);
+    Lane* __restrict polls = sums_.polls;
+    ERG_LANES(int i = 0; i < lanes_; ++i) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
+  }
+
+  void fill_random(Lane* lanes, std::uint32_t key) const {
+    const std::uint32_t first = static_cast<std::uint32_t>(strip_.first) / 4;
+    const int quads = lanes_ / 4;
+    if constexpr (sizeof(Lane) == 1) {
+      ERG_LANES(int q = 0; q < quads; ++q) {
+        const std::uint32_t word = quad_word(key, first + static_cast<std::uint32_t>(q));
+        __builtin_memcpy(lanes + 4 * q, &word, 4);
+      }
+    } else {
+      for (int q = 0; q < quads; ++q) {
+        const std::uint32_t word = quad_word(key, first + static_cast<std::uint32_t>(q));
+        for (int k = 0; k < 4; ++k) lanes[4 * q + k] = static_cast<Lane>(word >> (8 * k) & 0xff);
+      }
+    }
+  }
+
+  // --- lifting and landing
+  // --------------------------------------------------------------------------------------------
+
+  /// Everything that happens in one row: which slabs lift, which stay, and where the others come down next.
+  void decide(std::int64_t flown, Lane row_in_block) {
+    Lane* arrivals = strip_.ring + ring_start(flown);
+    judge_ground();
+    fill_random(row_.random, draw_key(row_word_, Draw::first_landing));
+    const Lane most = lift_and_land(arrivals, row_in_block);
+    if (sizeof(Lane) == 1 && most > narrow_arrivals) {
+      strip_.counts.crowded = true;
+      return;
+    }
+    most_landed_ = most > 0 ? 1 : 0;
+    if (most > 1) land_others(arrivals);
+    if (most > 0) std::memset(arrivals, 0, static_cast<std::size_t>(lanes_) * sizeof(Lane));
+    if (plan_.wall_rows) meet_walls(flown);
+    if (any_leaving_) launch(flown);
+    if (++rows_summed_ == LaneSums<Lane>::rows_before_flush) flush_sums();
+  }
+
+  std::size_t ring_start(std::int64_t flown) const {
+    return static_cast<std::size_t>(flown & (plan_.ring_rows - 1)) * strip_lines;
+  }
+
+  /// Where slabs may lift, and how likely they stay.
+  void judge_ground() {
+    const std::uint32_t on_sand = byte_chance(plan_.p_sand_16, row_word_);
+    const std::uint32_t on_bare = byte_chance(plan_.p_bare_16, row_word_);
+    const Lane sand_limit = static_cast<Lane>(on_sand > 255 ? 255 : on_sand);
+    const Lane bare_limit = static_cast<Lane>(on_bare > 255 ? 255 : on_bare);
+    const Lane sand_sure = on_sand > 255 ? all_ones : Lane{0};
+    const Lane bare_sure = on_bare > 255 ? all_ones : Lane{0};
+    const Lane dark_holds = plan_.lift_in_shadow ? Lane{0} : all_ones;
+    const Lane* __restrict height = row_.height;
+    const Lane* __restrict bedrock = row_.bedrock;
+    const Lane* __restrict dark = row_.dark;
+    Lane* __restrict held = row_.held;
+    Lane* __restrict threshold = row_.threshold;
+    Lane* __restrict sure = row_.sure;
+    ERG_LANES(int i = 0; i < lanes_; ++i) {
+      const Lane sand = height[i] != bedrock[i] ? all_ones : Lane{0};
+      held[i] = static_cast<Lane>(static_cast<Lane>(~sand) | (dark[i] & dark_holds));
+      threshold[i] = sand ? sand_limit : bare_limit;
+      sure[i] = static_cast<Lane>(dark[i] | (sand ? sand_sure : bare_sure));
+    }
+    if (plan_.cover) judge_cover();
+  }
+
+  void judge_cover() {
+    fill_random(row_.random, draw_key(row_word_, Draw::cover));
+    const std::uint8_t* __restrict cover = row_.cover;
+    const Lane* __restrict random = row_.random;
+    Lane* __restrict held = row_.held;
+    Lane* __restrict threshold = row_.threshold;
+    Lane* __restrict sure = row_.sure;
+    ERG_LANES(int i = 0; i < lanes_; ++i) {
+      const Lane closed = cover[i] == 255 ? all_ones : Lane{0};
+      held[i] = static_cast<Lane>(held[i] | closed | (random[i] < cover[i] ? all_ones : Lane{0}));
+      sure[i] = static_cast<Lane>(sure[i] | closed);
+      // covered_chance of a chance below 256 stays below 256 while the cover is below 255.
+      const std::uint16_t chance = threshold[i];
+      threshold[i] = static_cast<Lane>(
+          chance + static_cast<std::uint16_t>(static_cast<std::uint16_t>(cover[i] * (256 - chance)) >> 8));
+    }
+  }
+
+  /// Lifts from polled lanes and lands the first slab of each arrival; returns the most arrivals at one lane.
+  Lane lift_and_land(const Lane* __restrict arrivals, Lane row_in_block) {
+    const Lane* __restrict random = row_.random;
+    const Lane* __restrict held = row_.held;
+    const Lane* __restrict threshold = row_.threshold;
+    const Lane* __restrict sure = row_.sure;
+    const Lane* __restrict target = strip_.target;
+    Lane* __restrict lifted = row_.lifted;
+    Lane* __restrict landed = row_.landed;
+    Lane* __restrict leaving = row_.leaving;
+    Lane* __restrict lift_sum = sums_.lifts;
+    Lane most = 0;
+    Lane any_leaving = 0;
+    ERG_LANES(int i = 0; i < lanes_; ++i) {
+      const Lane arriving = arrivals[i];
+      const Lane polled = target[i] == row_in_block ? all_ones : Lane{0};
+      const Lane lift = static_cast<Lane>(polled & static_cast<Lane>(~held[i]) & 1);
+      const Lane stays = static_cast<Lane>((random[i] < threshold[i] ? all_ones : Lane{0}) | sure[i]);
+      const Lane land = static_cast<Lane>((arriving != 0 ? all_ones : Lane{0}) & stays & 1);
+      const Lane leave = static_cast<Lane>(arriving - land + lift);
+      lifted[i] = lift;
+      landed[i] = land;
+      leaving[i] = leave;
+      lift_sum[i] = static_cast<Lane>(lift_sum[i] + lift);
+      most = arriving > most ? arriving : most;
+      any_leaving = static_cast<Lane>(any_leaving | leave);
+    }
+    any_leaving_ = any_leaving != 0;
+    return most;
+  }
+
+  /// The second, third ... slab that comes down at a lane. Rare, so one lane at a time.
+  void land_others(const Lane* arrivals) {
+    constexpr std::uint64_t more_than_one = sizeof(Lane) == 1 ? 0xfefefefefefefefeu : 0xfffefffefffefffeu;
+    for (int first = 0; first < lanes_; first += lanes_per_word) {
+      std::uint64_t word;
+      __builtin_memcpy(&word, arrivals + first, 8);
+      if ((word & more_than_one) == 0) continue;
+      for (int i = first; i < first + lanes_per_word; ++i) {
+        std::uint32_t landed = row_.landed[i];
+        for (std::uint32_t slab = 1; slab < arrivals[i]; ++slab) {
+          const std::uint32_t key = draw_key(row_word_, static_cast<std::uint32_t>(Draw::first_landing) + slab);
+          const std::uint32_t byte = line_byte(key, static_cast<std::uint32_t>(strip_.first + i));
+          if (row_.sure[i] || byte < row_.threshold[i]) ++landed;
+        }
+        row_.leaving[i] = static_cast<Lane>(row_.leaving[i] + row_.landed[i] - landed);
+        row_.landed[i] = static_cast<Lane>(landed);
+        if (landed > most_landed_) most_landed_ = landed;
+      }
+    }
+  }
+
+  // --- flight
+  // ---------------------------------------------------------------------------------------------------------
+
+  /// Sends the slabs that leave this row to the row where they come down next.
+  void launch(std::int64_t flown) {
+    if (plan_.hop_by_height) {
+      launch_by_height(flown);
+      return;
+    }
+    const std::uint32_t rows_256 = plan_.hop_table[0];
+    const std::uint32_t near_rows = rows_256 >> fixed_point_bits;
+    const Lane far_below = static_cast<Lane>(rows_256 & 0xff);  // of 256: how often a hop is one row longer
+    const Lane* __restrict leaving = row_.leaving;
+    Lane* __restrict near_ring = strip_.ring + ring_start(flown + near_rows);
+    typename LaneSums<Lane>::Wide* __restrict near_sum = sums_.near_hops;
+    if (far_below == 0) {
+      ERG_LANES(int i = 0; i < lanes_; ++i) {
+        near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
+        near_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(near_sum[i] + leaving[i]);
+      }
+      expect(flown + near_rows);
+      return;
+    }
+    fill_random(row_.random, draw_key(row_word_, Draw::hop));
+    const Lane* __restrict random = row_.random;
+    Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
+    typename LaneSums<Lane>::Wide* __restrict far_sum = sums_.far_hops;
+    const Lane near_below = static_cast<Lane>(256 - far_below);
+    ERG_LANES(int i = 0; i < lanes_; ++i) {
+      // As hop_rows: one row more where the random byte carries the fraction over.
+      const Lane far = random[i] >= near_below ? leaving[i] : Lane{0};
+      const Lane near = static_cast<Lane>(leaving[i] - far);
+      near_ring[i] = static_cast<Lane>(near_ring[i] + near);
+      far_ring[i] = static_cast<Lane>(far_ring[i] + far);
+      near_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(near_sum[i] + near);
+      far_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(far_sum[i] + far);
+    }
+    expect(flown + near_rows + 1);
+  }
+
+  void launch_by_height(std::int64_t flown) {
+    const std::uint32_t key = draw_key(row_word_, Draw::hop);
+    std::uint32_t longest = 0;
+    for (int first = 0; first < lanes_; first += lanes_per_word) {
+      std::uint64_t word;
+      __builtin_memcpy(&word, row_.leaving + first, 8);
+      while (word != 0) {
+        const int i = first + (__builtin_ctzll(word) / (8 * static_cast<int>(sizeof(Lane))));
+        const Lane leaving = row_.leaving[i];
+        word &= ~(static_cast<std::uint64_t>(all_ones) << (8 * static_cast<int>(sizeof(Lane)) * (i - first)));
+        const std::uint32_t byte = line_byte(key, static_cast<std::uint32_t>(strip_.first + i));
+        const std::uint32_t rows = hop_rows(plan_.hop_table[row_.height[i]], byte);
+        Lane& there = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(i)];
+        there = static_cast<Lane>(there + leaving);
+        if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.crowded = true;
+        strip_.counts.rows_flown += static_cast<std::int64_t>(rows) * leaving;
+        if (rows > longest) longest = rows;
+      }
+    }
+    expect(flown + longest);
+  }
+
+  void expect(std::int64_t row) {
+    if (row > strip_.last_arrival) strip_.last_arrival = row;
+  }
+
+  /// Algorithm 7 of Cimbura 2022: where bedrock stands too steeply in the next row, all that flies over here drops
+  /// here.
+  void meet_walls(std::int64_t flown) {
+    if (plan_.open && y_ == plan_.length - 1) return;
+    const int next = y_ + 1 == plan_.length ? 0 : y_ + 1;
+    if (!plan_.wall_rows[next]) return;
+    Walk here = walk_;
+    walk_on();
+    copy_in(row_.next_bedrock, plan_.bedrock + row_start(next), walk_.column);
+    const bool leaves_sideways = plan_.open && walk_.stepped;
+    walk_ = here;
+    for (int i = 0; i < strip_.lines; ++i) {
+      if (row_.next_bedrock[i] <= row_.height[i] + plan_.wall_step) continue;
+      if (leaves_sideways && (walk_.column + i) % plan_.width == plan_.width - 1) continue;
+      drop_here(i, flown);
+    }
+  }
+
+  void drop_here(int lane, std::int64_t flown) {
+    std::int64_t dropped = row_.leaving[lane];
+    row_.leaving[lane] = 0;
+    for (int rows = 1; rows < plan_.ring_rows; ++rows) {
+      Lane& flying = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(lane)];
+      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
+      dropped += flying;
+      flying = 0;
+    }
+    const std::int64_t landed = row_.landed[lane] + dropped;
+    if (sizeof(Lane) == 1 && landed > narrow_arrivals) {
+      strip_.counts.crowded = true;
+      return;
+    }
+    row_.landed[lane] = static_cast<Lane>(landed);
+    if (static_cast<std::uint32_t>(landed) > most_landed_) most_landed_ = static_cast<std::uint32_t>(landed);
+  }
+
+  // --- open edges
+  // -----------------------------------------------------------------------------------------------------
+
+  /// Lines that enter the grid at this row: what flew in them has left on the other side, and new slabs come in.
+  void cross_open_edges(int y) {
+    if (y == 0) {
+      for (int i = 0; i < strip_.lines; ++i) enter(i, y);
+      return;
+    }
+    if (!walk_.stepped) return;
+    const int lane = walk_.column == 0 ? 0 : plan_.width - walk_.column;
+    if (lane >= strip_.lines) return;
+    drop_out(lane, y);
+    strip_.line[lane] = 0;
+    strip_.near[lane] = 0;
+    enter(lane, y);
+  }
+
+  void enter(int lane, int y) {
+    if (plan_.inflow <= 0) return;
+    const std::uint32_t key = draw_key(row_word_, Draw::inflow);
+    const std::uint32_t line = static_cast<std::uint32_t>(strip_.first + lane);
+    const std::uint32_t random = mix32(key ^ line * 0x9e3779b9u);
+    const int slabs = static_cast<int>(plan_.inflow + (random >> 16) * (1.0 / 65536));
+    const std::uint32_t rows_256 = plan_.hop_table[plan_.hop_by_height ? row_.height[lane] : 0];
+    for (int slab = 0; slab < slabs; ++slab) {
+      // Where in its hop a slab crosses the edge is random: it comes down up to one hop further on.
+      const std::uint32_t part = mix32(random + static_cast<std::uint32_t>(slab)) >> 16;
+      const std::int64_t row = y + static_cast<std::int64_t>((static_cast<std::uint64_t>(rows_256) * part) >> 24);
+      Lane& there = strip_.ring[ring_start(row) + static_cast<std::size_t>(lane)];
+      there = static_cast<Lane>(there + 1);
+      if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.crowded = true;
+      expect(row);
+    }
+    strip_.counts.slabs_in += slabs;
+  }
+
+  void drop_out(int lane, std::int64_t from_row) {
+    for (int rows = 0; rows < plan_.ring_rows; ++rows) {
+      Lane& flying = strip_.ring[ring_start(from_row + rows) + static_cast<std::size_t>(lane)];
+      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
+      strip_.counts.slabs_out += flying;
+      flying = 0;
+    }
+  }
+
+  void drop_all(std::int64_t from_row) {
+    if (strip_.last_arrival >= from_row) {
+      for (int lane = 0; lane < strip_.lines; ++lane) drop_out(lane, from_row);
+    }
+    strip_.last_arrival = -1;
+  }
+
+  // --- counts
+  // ---------------------------------------------------------------------------------------------------------
+
+  void flush_sums() {
+    std::int64_t near = 0;
+    std::int64_t far = 0;
+    for (int i = 0; i < lanes_; ++i) {
+      strip_.counts.polls += sums_.polls[i];
+      strip_.counts.lifts += sums_.lifts[i];
+      near += sums_.near_hops[i];
+      far += sums_.far_hops[i];
+    }
+    if (!plan_.hop_by_height) {
+      const std::int64_t rows = plan_.hop_table[0] >> fixed_point_bits;
+      strip_.counts.rows_flown += near * rows + far * (rows + 1);
+    }
+    std::memset(&sums_, 0, sizeof sums_);
+    rows_summed_ = 0;
+  }
+
+  static constexpr int prefetch_rows = 6;
+
+  const SweepPlan<Lane>& plan_;
+  Strip<Lane>& strip_;
+  const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
+  Walk walk_{};
+  std::uint64_t row_word_ = 0;
+  int y_ = 0;
+  std::uint32_t most_landed_ = 0;
+  bool any_leaving_ = false;
+  Row<Lane> row_;
+  LaneSums<Lane> sums_;
+  int rows_summed_ = 0;
+};
+
+// --- slides
+// -----------------------------------------------------------------------------------------------------------
+
+/// One slab down each edge between lanes of two rows that is steeper than what stands.
+template <typename Lane, bool relief, bool varied>
+void slide_lanes(Lane* __restrict a, Lane* __restrict b, const Lane* bedrock_a, const Lane* bedrock_b,
+                 const Lane* step_a, const Lane* step_b, Lane step, int lanes) {
+  ERG_LANES(int i = 0; i < lanes; ++i) {
+    const Lane here = a[i];
+    const Lane there = b[i];
+    const Lane stands_a = varied ? step_a[i] : step;
+    const Lane stands_b = varied ? step_b[i] : step;
+    Lane down = here > static_cast<Lane>(there + stands_a) ? 1 : 0;
+    Lane up = there > static_cast<Lane>(here + stands_b) ? 1 : 0;
+    if (relief) {
+      down = here > bedrock_a[i] ? down : Lane{0};
+      up = there > bedrock_b[i] ? up : Lane{0};
+    }
+    a[i] = static_cast<Lane>(here - down + up);
+    b[i] = static_cast<Lane>(there + down - up);
+  }
+}
+
+/// Two neighbouring lanes read as one word of twice the width, so that edges within a row need no shuffles.
+template <typename Lane>
+struct LanePair {
+  using Word = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
+  static constexpr int bits = 8 * static_cast<int>(sizeof(Lane));
+  static Word read(const Lane* lanes) {
+    Word word;
+    __builtin_memcpy(&word, lanes, sizeof word);
+    return word;
+  }
+  static Word low(Word word) { return static_cast<Word>(word & ((Word{1} << bits) - 1)); }
+  static Word high(Word word) { return static_cast<Word>(word >> bits); }
+};
+
+/// One slab down each edge within `pairs` pairs of neighbouring lanes.
+template <typename Lane, bool relief, bool varied>
+void slide_pairs(Lane* lanes, const Lane* bedrock, const Lane* steps, int step, int pairs) {
+  using Pair = LanePair<Lane>;
+  using Word = typename Pair::Word;
+  ERG_LANES(int k = 0; k < pairs; ++k) {
+    Word word = Pair::read(lanes + 2 * k);
+    const Word low = Pair::low(word);
+    const Word high = Pair::high(word);
+    Word low_stands = static_cast<Word>(step);
+    Word high_stands = static_cast<Word>(step);
+    if (varied) {
+      const Word stands = Pair::read(steps + 2 * k);
+      low_stands = Pair::low(stands);
+      high_stands = Pair::high(stands);
+    }
+    Word up = low > static_cast<Word>(high + low_stands) ? 1 : 0;     // one slab from low to high
+    Word down = high > static_cast<Word>(low + high_stands) ? 1 : 0;  // one slab from high to low
+    if (relief) {
+      const Word rock = Pair::read(bedrock + 2 * k);
+      up = low > Pair::low(rock) ? up : Word{0};
+      down = high > Pair::high(rock) ? down : Word{0};
+    }
+    word = static_cast<Word>(word - up + down + static_cast<Word>(up << Pair::bits) -
+                             static_cast<Word>(down << Pair::bits));
+    __builtin_memcpy(lanes + 2 * k, &word, sizeof word);
+  }
+}
+
+template <typename Lane>
+class Slider {
+ public:
+  explicit Slider(const SlidePlan<Lane>& plan) : plan_(plan) {}
+
+  void band(int first_row, int end_row) const {
+    const int classes = plan_.diagonals ? 8 : 4;
+    for (int k = 0; k < classes; ++k) {
+      const EdgeClass edges = static_cast<EdgeClass>(plan_.order[k]);
+      if (edges == across_even || edges == across_odd) {
+        for (int y = first_row; y < end_row; ++y) across(y, edges == across_odd ? 1 : 0);
+        continue;
+      }
+      const bool odd = edges == along_odd || edges == rising_odd || edges == falling_odd;
+      for (int y = first_row + ((first_row & 1) != (odd ? 1 : 0) ? 1 : 0); y + 1 < end_row; y += 2) {
+        between_rows(y, y + 1, edges);
+      }
+    }
+  }
+
+  void seam(int lower, int upper) const {
+    between_rows(lower, upper, along_even);
+    if (!plan_.diagonals) return;
+    between_rows(lower, upper, rising_even);
+    between_rows(lower, upper, falling_even);
+  }
+
+ private:
+  std::size_t start(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(plan_.width); }
+
+  void between_rows(int lower, int upper, EdgeClass edges) const {
+    const int width = plan_.width;
+    if (edges == along_even || edges == along_odd) {
+      run(start(lower), start(upper), width, plan_.steps, plan_.step);
+      return;
+    }
+    if (width == 1) return;
+    const bool rising = edges == rising_even || edges == rising_odd;
+    run(start(lower) + (rising ? 0 : 1), start(upper) + (rising ? 1 : 0), width - 1, plan_.diagonal_steps,
+        plan_.diagonal_step);
+    if (plan_.open) return;
+    const std::size_t last = static_cast<std::size_t>(width) - 1;
+    run(start(lower) + (rising ? last : 0), start(upper) + (rising ? 0 : last), 1, plan_.diagonal_steps,
+        plan_.diagonal_step);
+  }
+
+  /// Edges between cells a, a + 1, ... and b, b + 1, ...
+  void run(std::size_t a, std::size_t b, int lanes, const Lane* steps, int step) const {
+    Lane* heights = plan_.heights;
+    const Lane* bedrock = plan_.bedrock;
+    const Lane limit = static_cast<Lane>(step);
+    if (bedrock && steps) {
+      slide_lanes<Lane, true, true>(heights + a, heights + b, bedrock + a, bedrock + b, steps + a, steps + b, limit,
+                                    lanes);
+    } else if (bedrock) {
+      slide_lanes<Lane, true, false>(heights + a, heights + b, bedrock + a, bedrock + b, nullptr, nullptr, limit,
+                                     lanes);
+    } else if (steps) {
+      slide_lanes<Lane, false, true>(heights + a, heights + b, nullptr, nullptr, steps + a, steps + b, limit, lanes);
+    } else {
+      slide_lanes<Lane, false, false>(heights + a, heights + b, nullptr, nullptr, nullptr, nullptr, limit, lanes);
+    }
+  }
+
+  /// Edges within a row: cells (0, 1), (2, 3) ... or (1, 2), (3, 4) ... and, on a torus, the one that closes it.
+  void across(int y, int first) const {
+    const int pairs = (plan_.width - first) / 2;
+    const std::size_t at = start(y) + static_cast<std::size_t>(first);
+    if (plan_.bedrock && plan_.steps) {
+      slide_pairs<Lane, true, true>(plan_.heights + at, plan_.bedrock + at, plan_.steps + at, plan_.step, pairs);
+    } else if (plan_.bedrock) {
+      slide_pairs<Lane, true, false>(plan_.heights + at, plan_.bedrock + at, nullptr, plan_.step, pairs);
+    } else if (plan_.steps) {
+      slide_pairs<Lane, false, true>(plan_.heights + at, nullptr, plan_.steps + at, plan_.step, pairs);
+    } else {
+      slide_pairs<Lane, false, false>(plan_.heights + at, nullptr, nullptr, plan_.step, pairs);
+    }
+    if (first == 1 && !plan_.open && plan_.width > 2) {
+      run(start(y) + static_cast<std::size_t>(plan_.width) - 1, start(y), 1, plan_.steps, plan_.step);
+    }
+  }
+
+  const SlidePlan<Lane>& plan_;
+};
+
+template <typename Lane>
+void convey(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
+  Conveyor<Lane>(plan, strip).convey();
+}
+
+template <typename Lane>
+void carry(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
+  Conveyor<Lane>(plan, strip).carry();
+}
+
+template <typename Lane>
+void slide_band(const SlidePlan<Lane>& plan, int first_row, int end_row) {
+  Slider<Lane>(plan).band(first_row, end_row);
+}
+
+template <typename Lane>
+void slide_seam(const SlidePlan<Lane>& plan, int lower_row, int upper_row) {
+  Slider<Lane>(plan).seam(lower_row, upper_row);
+}
+
+#undef ERG_LANES
+
+}  // namespace
+
+extern const SweepKernels<std::uint8_t> narrow_kernels;
+extern const SweepKernels<std::uint16_t> wide_kernels;
+const SweepKernels<std::uint8_t> narrow_kernels{convey<std::uint8_t>, carry<std::uint8_t>, slide_band<std::uint8_t>,
+                                                slide_seam<std::uint8_t>};
+const SweepKernels<std::uint16_t> wide_kernels{convey<std::uint16_t>, carry<std::uint16_t>, slide_band<std::uint16_t>,
+                                               slide_seam<std::uint16_t>};
+
+}  // namespace ERG_KERNELS
+}  // namespace erg
