@@ -30,7 +30,7 @@ ParameterValue stored(const Parameter& parameter, ParameterValue value) {
 /// Reads all of `text` as a number; nothing if it is none.
 template <typename Number>
 std::optional<Number> number_from(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -17,12 +16,48 @@ namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void fail_to_write(const fs::path& path) {
+  const int reason = errno;
+  const char* remedy = reason == EISDIR ? "it is a folder; give the name of a file"
+                                        : "check that its folder exists, may be written and has room";
+  throw InputError(path.string(), std::string("cannot write this file (") + std::strerror(reason) + ")", remedy);
+}
+
+bool write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// Devices and pipes (/dev/stdout) are written to, not replaced.
+void write_through(const fs::path& path, std::string_view content) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) fail_to_write(path);
+  const bool written = write_all(descriptor, content);
+  if (!written) {
+    const int reason = errno;
+    ::close(descriptor);
+    errno = reason;
+    fail_to_write(path);
+  }
+  ::close(descriptor);
+}
+
 /// A new file beside the wanted one; removed again unless it was renamed.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target) : target_(target), name_(target.string() + ".XXXXXX") {
-    descriptor_ = ::mkstemp(name_.data());
-    if (descriptor_ < 0) fail();
+  explicit TemporaryFile(const fs::path& target) : target_(target) {
+    // A name may be taken by another writer, or by one that was killed: then the next one.
+    for (int attempt = 0; descriptor_ < 0 && attempt < 100; ++attempt) {
+      name_ = target.string() + ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+      descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor_ < 0 && errno != EEXIST) break;
+    }
+    if (descriptor_ < 0) fail_to_write(target_);
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -32,33 +67,20 @@ class TemporaryFile {
   }
 
   void write(std::string_view content) {
-    while (!content.empty()) {
-      const ssize_t written = ::write(descriptor_, content.data(), content.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail();
-      content.remove_prefix(static_cast<std::size_t>(written));
-    }
+    if (!write_all(descriptor_, content)) fail_to_write(target_);
   }
 
   void become_target() {
-    if (::fchmod(descriptor_, permissions()) != 0) fail();
-    if (::fsync(descriptor_) != 0) fail();
-    if (::close(std::exchange(descriptor_, -1)) != 0) fail();
-    if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
+    struct stat old {};
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor_, old.st_mode & 0777);  // else the usual permissions
+    const bool flushed = ::fsync(descriptor_) == 0;
+    const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
+    if (!flushed || !closed || ::rename(name_.c_str(), target_.c_str()) != 0) fail_to_write(target_);
     renamed_ = true;
     flush_folder();
   }
 
  private:
-  /// Those of the file that is replaced, else the usual ones (mkstemp's are the owner's alone).
-  mode_t permissions() const {
-    struct stat old {};
-    if (::stat(target_.c_str(), &old) == 0) return old.st_mode & 0777;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    return 0666 & ~mask;
-  }
-
   /// Makes the rename itself last. Some file systems cannot; the file is whole all the same.
   void flush_folder() const {
     const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
@@ -66,13 +88,6 @@ class TemporaryFile {
     if (opened < 0) return;
     ::fsync(opened);
     ::close(opened);
-  }
-
-  [[noreturn]] void fail() const {
-    const int reason = errno;
-    std::string remedy = "check that its folder exists, may be written and has room";
-    if (reason == EISDIR) remedy = "it is a folder; give the name of a file";
-    throw InputError(target_.string(), std::string("cannot write this file (") + std::strerror(reason) + ")", remedy);
   }
 
   fs::path target_;
@@ -84,7 +99,9 @@ class TemporaryFile {
 }  // namespace
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
-  TemporaryFile file(path);
+  std::error_code none;
+  if (fs::exists(path, none) && !fs::is_regular_file(path, none)) return write_through(path, content);
+  TemporaryFile file(fs::is_symlink(path, none) ? fs::weakly_canonical(path) : path);  // keeps a link a link
   file.write(content);
   file.become_target();
 }

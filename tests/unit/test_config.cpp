@@ -1,0 +1,113 @@
+#include "sim/config.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "models/model.h"
+
+namespace erg {
+namespace {
+
+std::string set_message(const std::string& assignment, Config config = Config()) {
+  const Config before = config;
+  try {
+    set_from_text(config, assignment);
+  } catch (const InputError& error) {
+    EXPECT_EQ(config, before) << "a refused assignment changed the config";
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Config, EveryModelHasAConfigOfDefaults) {
+  for (const std::string& key : model_keys()) {
+    const Config config(key);
+    EXPECT_EQ(config.model, key);
+    EXPECT_EQ(config.parameters, ParameterValues(find_model(key).parameters));
+  }
+  EXPECT_EQ(Config().model, "momiji");
+  EXPECT_THROW(Config("moniji"), InputError);
+}
+
+TEST(Config, EveryDeclarationIsSound) {
+  for (const std::string& key : model_keys()) {
+    const Config config(key);
+    for (const ConfigGroup& group : config_groups()) {
+      std::set<std::string> seen;
+      for (const Parameter& parameter : (config.*group.values).declared()) {
+        SCOPED_TRACE(group.key + "." + parameter.key);
+        EXPECT_TRUE(seen.insert(parameter.key).second) << "declared twice";
+        EXPECT_FALSE(parameter.label.empty());
+        EXPECT_FALSE(parameter.meaning.empty());
+        EXPECT_FALSE(check_value(parameter, parameter.standard, "")) << "the default is not accepted";
+        if (parameter.only_when.empty()) continue;
+        const Parameter* switch_parameter = (config.*group.values).find(parameter.only_when.front());
+        ASSERT_NE(switch_parameter, nullptr);
+        for (std::size_t i = 1; i < parameter.only_when.size(); ++i) {
+          EXPECT_FALSE(check_value(*switch_parameter, parameter.only_when[i], "")) << parameter.only_when[i];
+        }
+      }
+    }
+  }
+}
+
+TEST(Config, SetsValuesFromText) {
+  Config config;
+  set_from_text(config, "grid.nx=512");
+  set_from_text(config, "steps=20");
+  set_from_text(config, "boundary=open");
+  set_from_text(config, "parameters.p_sand=0.5");
+  set_from_text(config, "wind.bearing=SW");
+  set_from_text(config, "strength=7.5");
+  set_from_text(config, "title=a = b");
+  set_from_text(config, "sweeps=8");
+  EXPECT_EQ(config.grid.integer("nx"), 512);
+  EXPECT_EQ(config.run.integer("steps"), 20);
+  EXPECT_EQ(config.grid.text("boundary"), "open");
+  EXPECT_EQ(config.parameters.real("p_sand"), 0.5);
+  EXPECT_EQ(config.wind, Regime::constant(225, 7.5));
+  EXPECT_EQ(config.title, "a = b");
+  EXPECT_EQ(config.run.integer("sweeps"), 8);
+}
+
+TEST(Config, AnotherModelKeepsWhatWasSet) {
+  Config config("momiji");
+  set_from_text(config, "p_sand=0.4");
+  set_from_text(config, "linear=0.7");
+  set_from_text(config, "model=werner");
+  EXPECT_EQ(config.model, "werner");
+  EXPECT_EQ(config.parameters.real("p_sand"), 0.4);
+  EXPECT_EQ(config.parameters.real("repose_angle"), 30);  // a default is no choice: it is the new model's
+  EXPECT_EQ(config.parameters.find("linear"), nullptr);
+}
+
+TEST(Config, MistakesInAssignmentsTeach) {
+  EXPECT_EQ(set_message("grid.nx=0"), "--set grid.nx=0: nx is 0; expected a whole number, 1 to 16384");
+  EXPECT_EQ(set_message("stepps=3"), "--set stepps=3: unknown key \"stepps\"; did you mean \"steps\"?");
+  EXPECT_EQ(set_message("run.stepps=3"), "--set run.stepps=3: unknown key \"run.stepps\"; did you mean \"run.steps\"?");
+  EXPECT_EQ(set_message("boundary=opne"), "--set boundary=opne: unknown boundary \"opne\"; did you mean \"open\"?");
+  EXPECT_EQ(set_message("model=bishopp"), "--set model=bishopp: unknown model \"bishopp\"; did you mean \"bishop\"?");
+  EXPECT_EQ(set_message("nx"), "--set nx: not an assignment; expected key=value, for example run.steps=500");
+  EXPECT_EQ(set_message("=3"), "--set =3: not an assignment; expected key=value, for example run.steps=500");
+  EXPECT_EQ(set_message("wind.strength=0"), "--set wind.strength=0: strength is 0; expected 0.1 to 8192");
+  EXPECT_EQ(set_message("bearing=up"),
+            "--set bearing=up: bearing is \"up\"; expected -360 to 360 degrees, or a compass "
+            "point such as W or NNE");
+}
+
+TEST(Config, AWindOfSeasonsIsNotSetFromText) {
+  Config config;
+  config.wind.seasons = {Season{}, Season{}};
+  EXPECT_EQ(set_message("bearing=W", config), "--set bearing=W: the wind has 2 seasons; change them in the config");
+}
+
+TEST(Config, ChangingTheStrengthKeepsTheSeason) {
+  Config config;
+  config.wind.seasons = {{.bearing = 10, .first = 3, .last = 8, .steps = 80, .curve = {}}};
+  set_from_text(config, "strength=4");
+  EXPECT_EQ(config.wind.seasons.front(), (Season{.bearing = 10, .first = 4, .last = 4, .steps = 80, .curve = {}}));
+}
+
+}  // namespace
+}  // namespace erg
