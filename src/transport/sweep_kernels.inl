@@ -14,7 +14,8 @@ namespace erg {
 namespace ERG_KERNELS {
 namespace {
 
-#define ERG_LANES _Pragma("GCC ivdep") for
+// A loop over lanes. The count is copied first: bytes may alias anything, so the compiler would read a member again.
+#define ERG_EACH(i, count) _Pragma("GCC ivdep") for (int i = 0, end_of_##i = (count); i < end_of_##i; ++i)
 
 /// Scratch of one row of a strip. Masks are 0 or all ones.
 template <typename Lane>
@@ -161,7 +162,7 @@ class Conveyor {
     const Lane* __restrict lifted = row_.lifted;
     Lane* __restrict height = row_.height;
     Lane highest = 0;
-    ERG_LANES(int i = 0; i < lanes_; ++i) {
+    ERG_EACH(i, lanes_) {
       const Lane now = static_cast<Lane>(height[i] + landed[i] - lifted[i]);
       height[i] = now;
       highest = now > highest ? now : highest;
@@ -209,7 +210,7 @@ class Conveyor {
     Shadow* __restrict line = strip_.line;
     const Shadow fall = static_cast<Shadow>(plan_.row_fall);
     if (!plan_.oblique) {
-      ERG_LANES(int i = 0; i < lanes_; ++i) {
+      ERG_EACH(i, lanes_) {
         const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
         dark[i] = top < line[i] ? all_ones : Lane{0};
         const Shadow higher = top > line[i] ? top : line[i];
@@ -219,7 +220,7 @@ class Conveyor {
     }
     Shadow* __restrict near = strip_.near;
     const Shadow near_fall = static_cast<Shadow>(plan_.adjacent_fall);
-    ERG_LANES(int i = 0; i < lanes_; ++i) {
+    ERG_EACH(i, lanes_) {
       const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
       const Shadow shade = line[i] > near[i] ? line[i] : near[i];
       dark[i] = top < shade ? all_ones : Lane{0};
@@ -243,19 +244,19 @@ class Conveyor {
     if (plan_.polled_row) {
       for (int i = 0; i < strip_.lines; ++i) target[i] = plan_.polled_row[target[i]];
     } else {
-      ERG_LANES(int i = 0; i < lanes_; ++i) target[i] = static_cast<Lane>(target[i] & mask);
+      ERG_EACH(i, lanes_) target[i] = static_cast<Lane>(target[i] & mask);
     }
     for (int i = strip_.lines; i < lanes_; ++i) target[i] = all_ones;
     const Lane rows = static_cast<Lane>(plan_.length - y < block ? plan_.length - y : block);
     Lane* __restrict polls = sums_.polls;
-    ERG_LANES(int i = 0; i < lanes_; ++i) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
+    ERG_EACH(i, lanes_) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
   }
 
   void fill_random(Lane* lanes, std::uint32_t key) const {
     const std::uint32_t first = static_cast<std::uint32_t>(strip_.first) / 4;
     const int quads = lanes_ / 4;
     if constexpr (sizeof(Lane) == 1) {
-      ERG_LANES(int q = 0; q < quads; ++q) {
+      ERG_EACH(q, quads) {
         const std::uint32_t word = quad_word(key, first + static_cast<std::uint32_t>(q));
         __builtin_memcpy(lanes + 4 * q, &word, 4);
       }
@@ -307,7 +308,7 @@ class Conveyor {
     Lane* __restrict held = row_.held;
     Lane* __restrict threshold = row_.threshold;
     Lane* __restrict sure = row_.sure;
-    ERG_LANES(int i = 0; i < lanes_; ++i) {
+    ERG_EACH(i, lanes_) {
       const Lane sand = height[i] != bedrock[i] ? all_ones : Lane{0};
       held[i] = static_cast<Lane>(static_cast<Lane>(~sand) | (dark[i] & dark_holds));
       threshold[i] = sand ? sand_limit : bare_limit;
@@ -323,7 +324,7 @@ class Conveyor {
     Lane* __restrict held = row_.held;
     Lane* __restrict threshold = row_.threshold;
     Lane* __restrict sure = row_.sure;
-    ERG_LANES(int i = 0; i < lanes_; ++i) {
+    ERG_EACH(i, lanes_) {
       const Lane closed = cover[i] == 255 ? all_ones : Lane{0};
       held[i] = static_cast<Lane>(held[i] | closed | (random[i] < cover[i] ? all_ones : Lane{0}));
       sure[i] = static_cast<Lane>(sure[i] | closed);
@@ -347,7 +348,7 @@ class Conveyor {
     Lane* __restrict lift_sum = sums_.lifts;
     Lane most = 0;
     Lane any_leaving = 0;
-    ERG_LANES(int i = 0; i < lanes_; ++i) {
+    ERG_EACH(i, lanes_) {
       const Lane arriving = arrivals[i];
       const Lane polled = target[i] == row_in_block ? all_ones : Lane{0};
       const Lane lift = static_cast<Lane>(polled & static_cast<Lane>(~held[i]) & 1);
@@ -402,7 +403,7 @@ class Conveyor {
     Lane* __restrict near_ring = strip_.ring + ring_start(flown + near_rows);
     typename LaneSums<Lane>::Wide* __restrict near_sum = sums_.near_hops;
     if (far_below == 0) {
-      ERG_LANES(int i = 0; i < lanes_; ++i) {
+      ERG_EACH(i, lanes_) {
         near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
         near_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(near_sum[i] + leaving[i]);
       }
@@ -414,7 +415,7 @@ class Conveyor {
     Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
     typename LaneSums<Lane>::Wide* __restrict far_sum = sums_.far_hops;
     const Lane near_below = static_cast<Lane>(256 - far_below);
-    ERG_LANES(int i = 0; i < lanes_; ++i) {
+    ERG_EACH(i, lanes_) {
       // As hop_rows: one row more where the random byte carries the fraction over.
       const Lane far = random[i] >= near_below ? leaving[i] : Lane{0};
       const Lane near = static_cast<Lane>(leaving[i] - far);
@@ -583,7 +584,7 @@ class Conveyor {
 template <typename Lane, bool relief, bool varied>
 void slide_lanes(Lane* __restrict a, Lane* __restrict b, const Lane* bedrock_a, const Lane* bedrock_b,
                  const Lane* step_a, const Lane* step_b, Lane step, int lanes) {
-  ERG_LANES(int i = 0; i < lanes; ++i) {
+  ERG_EACH(i, lanes) {
     const Lane here = a[i];
     const Lane there = b[i];
     const Lane stands_a = varied ? step_a[i] : step;
@@ -618,7 +619,7 @@ template <typename Lane, bool relief, bool varied>
 void slide_pairs(Lane* lanes, const Lane* bedrock, const Lane* steps, int step, int pairs) {
   using Pair = LanePair<Lane>;
   using Word = typename Pair::Word;
-  ERG_LANES(int k = 0; k < pairs; ++k) {
+  ERG_EACH(k, pairs) {
     Word word = Pair::read(lanes + 2 * k);
     const Word low = Pair::low(word);
     const Word high = Pair::high(word);
@@ -747,7 +748,7 @@ void slide_seam(const SlidePlan<Lane>& plan, int lower_row, int upper_row) {
   Slider<Lane>(plan).seam(lower_row, upper_row);
 }
 
-#undef ERG_LANES
+#undef ERG_EACH
 
 }  // namespace
 
