@@ -106,4 +106,10 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
   file.become_target();
 }
 
+void write_file_atomically(const fs::path& path, const std::function<void(const ByteSink&)>& write) {
+  TemporaryFile file(path);
+  write([&file](std::string_view content) { file.write(content); });
+  file.become_target();
+}
+
 }  // namespace erg

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 namespace erg {
@@ -10,5 +11,12 @@ namespace erg {
 /// or the next start after a power cut, sees the old file or the new one and nothing between. Folders must exist.
 /// Throws InputError when it cannot; the old file is then untouched.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// Takes the next bytes of a file.
+using ByteSink = std::function<void(std::string_view)>;
+
+/// The same for content too large to hold in memory: `write` hands it over piece by piece. When `write` throws, the old
+/// file is untouched too.
+void write_file_atomically(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& write);
 
 }  // namespace erg

@@ -15,6 +15,7 @@ namespace {
 constexpr double slab_sigma = 0.9;
 
 int neighbour(int index, int count, bool periodic) {
+  if (index >= 0 && index < count) return index;
   return periodic ? wrap(index, count) : std::clamp(index, 0, count - 1);
 }
 
@@ -49,9 +50,9 @@ LineFilter spline_filter(int count, int zoom) {
     const double t = place - below;
     const double s = 1 - t;
     filter.first.push_back(static_cast<int>(below) - 1);
-    filter.weights.push_back({static_cast<float>(s * s * s / 6), static_cast<float>((3 * t * t * t - 6 * t * t + 4) / 6),
-                              static_cast<float>((3 * s * s * s - 6 * s * s + 4) / 6),
-                              static_cast<float>(t * t * t / 6)});
+    filter.weights.push_back(
+        {static_cast<float>(s * s * s / 6), static_cast<float>((3 * t * t * t - 6 * t * t + 4) / 6),
+         static_cast<float>((3 * s * s * s - 6 * s * s + 4) / 6), static_cast<float>(t * t * t / 6)});
   }
   return filter;
 }
@@ -104,11 +105,14 @@ float height_at(const Relief& relief, double x, double y) {
   return low + (high - low) * above_share;
 }
 
-// The tangent of the highest elevation angle seen from a pixel looking along (dx, dy), up to `reach` pixels away.
-double horizon(const Relief& relief, int x, int y, double dx, double dy, double reach) {
-  const float here = relief.surface(x, y);
+// The tangent of the highest elevation angle seen from a pixel looking along (dx, dy); below `least` it does not matter
+// and the search ends where even the `highest` ground would not reach it.
+double horizon(const Relief& relief, int x, int y, double dx, double dy, double highest, double least) {
+  constexpr double farthest = 512;  // pixels
+  const double here = relief.surface(x, y);
+  const double enough = std::min(farthest, (highest - here) / (least * relief.pixel_size));
   double steepest = 0;
-  for (double distance = 1; distance <= reach; distance += 1 + distance / 64) {
+  for (double distance = 1; distance <= enough; distance += 1 + distance / 64) {
     const double rise = height_at(relief, x + dx * distance, y + dy * distance) - here;
     steepest = std::max(steepest, rise / (distance * relief.pixel_size));
   }
@@ -120,26 +124,22 @@ double smooth_step(double from, double to, double value) {
   return t * t * (3 - 2 * t);
 }
 
-// The share of the sky that is seen, from the horizon in eight directions near by.
-double open_sky(const Relief& relief, int x, int y, double reach) {
-  constexpr double diagonal = 0.70710678118654752;
-  constexpr std::array<std::array<double, 2>, 8> directions = {{{1, 0},
-                                                               {diagonal, diagonal},
-                                                               {0, 1},
-                                                               {-diagonal, diagonal},
-                                                               {-1, 0},
-                                                               {-diagonal, -diagonal},
-                                                               {0, -1},
-                                                               {diagonal, -diagonal}}};
+// The share of the sky that is seen, from the horizon in eight directions at doubling distances up to `reach` pixels.
+double open_sky(const Relief& relief, int x, int y, int reach) {
+  constexpr std::array<std::array<int, 2>, 8> directions = {
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  const auto [nx, ny] = relief.extent();
   const float here = relief.surface(x, y);
   double seen = 0;
   for (const auto& [dx, dy] : directions) {
+    const double step = relief.pixel_size * std::sqrt(dx * dx + dy * dy);
     double steepest = 0;
-    for (double distance = reach; distance >= 1; distance *= 0.5) {
-      const double rise = height_at(relief, x + dx * distance, y + dy * distance) - here;
-      steepest = std::max(steepest, rise / (distance * relief.pixel_size));
+    for (int distance = 1; distance <= reach; distance *= 2) {
+      const float there = relief.surface(neighbour(x + dx * distance, nx, relief.periodic),
+                                         neighbour(y + dy * distance, ny, relief.periodic));
+      steepest = std::max(steepest, (there - here) / (distance * step));
     }
-    seen += 1 / (1 + steepest * steepest);  // cosine squared of the horizon: an even sky on level ground
+    seen += 1 / (1 + steepest * steepest);  // cosine squared of the horizon: an even sky over level ground
   }
   return seen / static_cast<double>(directions.size());
 }
@@ -199,10 +199,9 @@ Light light_up(const Relief& relief, const Sun& sun) {
   const double tangent = std::tan(radians(sun.altitude));
   const double east = std::sin(radians(sun.bearing));
   const double north = std::cos(radians(sun.bearing));
-  const auto [low, high] = std::minmax_element(relief.surface.cells().begin(), relief.surface.cells().end());
-  const double reach = std::min(512.0, (*high - *low) / tangent / relief.pixel_size + 2);
+  const double highest = *std::max_element(relief.surface.cells().begin(), relief.surface.cells().end());
   const double penumbra = 0.12 * (tangent + 0.2);
-  const double near_by = std::min(32.0, std::max(nx, ny) / 2.0);
+  constexpr int near_by = 32;  // pixels
   Light light{Grid<float>(relief.extent()), Grid<float>(relief.extent())};
   for (int y = 0; y < ny; ++y) {
     for (int x = 0; x < nx; ++x) {
@@ -213,8 +212,8 @@ Light light_up(const Relief& relief, const Sun& sun) {
       const double slope_y = (at(0, 1) - at(0, -1)) / (2 * relief.pixel_size);
       const double steepness = std::sqrt(1 + slope_x * slope_x + slope_y * slope_y);
       const double facing = (1 - (slope_x * east + slope_y * north) / tangent) / steepness;
-      const double hidden =
-          smooth_step(tangent - penumbra, tangent + penumbra, horizon(relief, x, y, east, north, reach));
+      const double skyline = horizon(relief, x, y, east, north, highest, tangent - penumbra);
+      const double hidden = smooth_step(tangent - penumbra, tangent + penumbra, skyline);
       light.sun(x, y) = static_cast<float>(std::max(0.0, facing) * (1 - hidden));
       light.sky(x, y) = static_cast<float>(open_sky(relief, x, y, near_by) * 0.5 * (1 + 1 / steepness));
     }

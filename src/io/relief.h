@@ -7,11 +7,11 @@ namespace erg {
 
 /// Values at the pixels of a map, row 0 south.
 struct Relief {
-  Grid<float> surface;   ///< m
-  Grid<float> sand;      ///< thickness of the mobile layer, quanta
-  Grid<float> bedrock;   ///< m above the lowest bedrock
+  Grid<float> surface;    ///< m
+  Grid<float> sand;       ///< thickness of the mobile layer, quanta
+  Grid<float> bedrock;    ///< m above the lowest bedrock
   double pixel_size = 1;  ///< m
-  bool periodic = true;  ///< a torus
+  bool periodic = true;   ///< a torus
 
   Extent extent() const { return surface.extent(); }
 };
@@ -28,20 +28,21 @@ MapScale map_scale(Extent grid, int pixels);
 /// The value at the middle of each block: a field brought to fewer blocks.
 Grid<float> nearest_blocks(const Grid<float>& values, Extent blocks);
 
-/// Brings a layer of values (row-major, of extent scale.blocks) to the pixels: a Gaussian over `sigma` blocks, then cubic
-/// B-splines. Both are smooth, so that whole slabs leave no terraces.
+/// Brings a layer of values (row-major, of extent scale.blocks) to the pixels: a Gaussian over `sigma` blocks, then
+/// cubic B-splines. Both are smooth, so that whole slabs leave no terraces.
 Grid<float> smooth_enlarge(const Grid<float>& values, double sigma, int zoom, bool periodic);
 
 /// The relief of a terrain at a scale.
 Relief make_relief(const Terrain& terrain, const MapScale& scale);
 
 struct Sun {
-  double bearing = 315;  ///< degrees: where it stands
-  double altitude = 38;  ///< degrees
+  double bearing = 300;  ///< degrees: where it stands
+  double altitude = 30;  ///< degrees
 };
 
-/// Light that falls on each pixel, split in two: `sun` is the cosine of its angle of incidence relative to level ground,
-/// times the part of the sun that is not hidden behind other ground; `sky` is the share of the sky that is seen.
+/// Light that falls on each pixel, split in two: `sun` is the cosine of its angle of incidence relative to level
+/// ground, times the part of the sun that is not hidden behind other ground; `sky` is the share of the sky that is
+/// seen.
 struct Light {
   Grid<float> sun;
   Grid<float> sky;

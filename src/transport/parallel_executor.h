@@ -12,7 +12,7 @@
 
 #include "transport/sweep.h"
 #include "transport/thread_team.h"
-#include "transport/wind_frame.h"
+#include "wind/wind_frame.h"
 
 namespace erg {
 

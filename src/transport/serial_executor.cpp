@@ -185,7 +185,7 @@ std::size_t SerialExecutor::steepest_neighbour(Place place, bool uphill) const {
     if (!inside(u, v)) continue;
     const std::size_t there = index(u, v);
     const std::size_t higher = uphill ? there : here;
-    const int difference = uphill ? surface_[there] - surface_[here] : surface_[here] - surface_[there];
+    const int difference = 1 + (uphill ? surface_[there] - surface_[here] : surface_[here] - surface_[there]);
     const StandingSteps& steps = covered(higher) ? law_.covered : law_.bare;
     if (difference <= (offset.diagonal ? steps.diagonal : steps.straight)) continue;
     if (uphill && surface_[there] == bedrock_[there]) continue;  // bare rock has nothing to give

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "transport/executor.h"
-#include "transport/wind_frame.h"
+#include "wind/wind_frame.h"
 
 namespace erg {
 

@@ -16,7 +16,7 @@ void pause_a_moment() {
 }  // namespace
 
 Barrier::Barrier(int members)
-    : members_(members), spins_(members <= static_cast<int>(std::thread::hardware_concurrency()) ? 4000 : 0) {}
+    : members_(members), spins_(members <= static_cast<int>(std::thread::hardware_concurrency()) ? 300 : 0) {}
 
 void Barrier::arrive_and_wait() {
   if (members_ == 1) return;

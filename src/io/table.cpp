@@ -1,0 +1,91 @@
+#include "io/table.h"
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "core/errors.h"
+#include "io/atomic_file.h"
+
+namespace erg {
+namespace {
+
+std::string joined(const std::vector<std::string>& columns) {
+  std::string line;
+  for (const std::string& column : columns) line.append(line.empty() ? "" : ",").append(column);
+  return line;
+}
+
+// The provenance as comment lines; a text of several lines becomes several comments.
+std::string comments(const Provenance& provenance) {
+  std::string all;
+  for (const auto& [name, text] : metadata(provenance)) {
+    std::istringstream lines(text);
+    std::string line;
+    all.append("# ").append(name).append(":");
+    const bool single = text.find('\n') == std::string::npos;
+    while (std::getline(lines, line)) all.append(single ? " " : "\n# ").append(line);
+    all += '\n';
+  }
+  return all;
+}
+
+std::string number_text(double value) {
+  if (!std::isfinite(value)) return {};
+  char text[32];
+  const auto result = std::to_chars(text, text + sizeof text, value);
+  return {text, result.ptr};
+}
+
+bool keeps(const std::string& row, double first_step) {
+  double step = 0;
+  const auto result = std::from_chars(row.data(), row.data() + row.size(), step);
+  return result.ec == std::errc{} && step < first_step;
+}
+
+}  // namespace
+
+TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : path_(path), columns_(columns) {
+  stream_.open(path, std::ios::app);
+  if (!stream_) throw InputError(path.string(), "cannot be written", "check the folder and its permissions");
+}
+
+TableFile::TableFile(const std::filesystem::path& path, std::vector<std::string> columns, const Provenance& provenance)
+    : TableFile((write_file_atomically(path, comments(provenance) + joined(columns) + "\n"), path), columns.size()) {}
+
+TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::string> columns,
+                            const Provenance& provenance, double first_step) {
+  std::ifstream file(path);
+  if (!file) return TableFile(path, std::move(columns), provenance);
+  std::string kept;
+  std::string line;
+  bool header_seen = false;
+  while (std::getline(file, line)) {
+    if (header_seen && !keeps(line, first_step)) continue;
+    if (!header_seen && !line.starts_with('#')) {
+      header_seen = true;
+      if (line != joined(columns)) {
+        throw InputError(path.string(), "holds other columns than this run writes", "name another folder or remove it");
+      }
+    }
+    kept += line + "\n";
+  }
+  if (!header_seen) return TableFile(path, std::move(columns), provenance);
+  file.close();
+  write_file_atomically(path, kept);
+  return TableFile(path, columns.size());
+}
+
+void TableFile::add(std::span<const double> values) {
+  if (values.size() != columns_) throw std::logic_error("a row of a table needs a value for each column");
+  std::string line;
+  for (std::size_t column = 0; column < values.size(); ++column) {
+    line += (column == 0 ? "" : ",") + number_text(values[column]);
+  }
+  stream_ << line << '\n' << std::flush;
+  if (!stream_) throw InputError(path_.string(), "cannot be written", "is the disk full?");
+}
+
+}  // namespace erg
