@@ -144,7 +144,7 @@ bool SerialExecutor::anything_can_move(Draws draws) {
   for (int u = 0; u < frame_.width; ++u) {
     for (int v = 0; v < frame_.length; ++v) {
       const std::size_t cell = index(u, v);
-      if (surface_[cell] == bedrock_[cell] || (!cover_.empty() && cover_[cell] == 255)) continue;
+      if (surface_[cell] == ground(cell) || (!cover_.empty() && cover_[cell] == 255)) continue;
       if (law_.erode_in_shadow || !in_shadow({u, v}, draws)) return true;
     }
   }
@@ -153,7 +153,7 @@ bool SerialExecutor::anything_can_move(Draws draws) {
 
 /// Algorithm 2/3 and 4: lifts a slab from the cell, or from the top of the slope that would slide into the gap.
 bool SerialExecutor::lift(std::size_t cell, Draws& draws) {
-  if (surface_[cell] == bedrock_[cell]) return false;
+  if (surface_[cell] == ground(cell)) return false;
   const Place start{static_cast<int>(cell / static_cast<std::size_t>(frame_.length)),
                     static_cast<int>(cell % static_cast<std::size_t>(frame_.length))};
   if (!cover_.empty() && draws.unit() * 255 < cover_[cell]) return false;
@@ -188,7 +188,7 @@ std::size_t SerialExecutor::steepest_neighbour(Place place, bool uphill) const {
     const int difference = 1 + (uphill ? surface_[there] - surface_[here] : surface_[here] - surface_[there]);
     const StandingSteps& steps = covered(higher) ? law_.covered : law_.bare;
     if (difference <= (offset.diagonal ? steps.diagonal : steps.straight)) continue;
-    if (uphill && surface_[there] == bedrock_[there]) continue;  // bare rock has nothing to give
+    if (uphill && surface_[there] == ground(there)) continue;  // bare rock has nothing to give
     const double slope = offset.diagonal ? difference / std::sqrt(2.0) : difference;
     if (slope > best) {
       best = slope;
@@ -318,7 +318,7 @@ bool SerialExecutor::inside(int& u, int& v) const {
 }
 
 double SerialExecutor::stay_chance(std::size_t cell) const {
-  const double chance = surface_[cell] > bedrock_[cell] ? law_.p_sand : law_.p_bare;
+  const double chance = surface_[cell] > ground(cell) ? law_.p_sand : law_.p_bare;
   if (cover_.empty()) return chance;
   return chance + cover_[cell] / 255.0 * (1 - chance);
 }

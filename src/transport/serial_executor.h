@@ -49,6 +49,8 @@ class SerialExecutor : public SlabExecutor {
   void deposit(Place place);
   bool in_shadow(Place place, Draws& draws) const;
   bool inside(int& u, int& v) const;
+  /// Bedrock under a cell, without a look into memory where it is level.
+  std::int32_t ground(std::size_t cell) const { return has_relief_ ? bedrock_[cell] : lowest_; }
   double stay_chance(std::size_t cell) const;
   int hop_rows(std::int32_t height, Draws& draws) const;
   bool covered(std::size_t cell) const { return !cover_.empty() && cover_[cell] >= law_.covered_from; }
