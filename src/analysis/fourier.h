@@ -22,8 +22,8 @@ struct CoarseSurface {
   bool periodic = true;  ///< true on a torus
 };
 
-/// The means of a layer over equal (if need be fractional) blocks, `blocks` of them on each side, at most one a cell. The
-/// mean of the whole is kept exactly.
+/// The means of a layer over equal (if need be fractional) blocks, `blocks` of them on each side, at most one a cell.
+/// The mean of the whole is kept exactly.
 CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, Extent blocks);
 
 /// The same with at most 1024 blocks a side: fine enough for spacing and motion of whole dunes.
@@ -31,9 +31,9 @@ CoarseSurface coarse_surface(const Terrain& terrain, Layer layer);
 
 using Spectrum2D = Grid<std::complex<double>>;
 
-/// The discrete Fourier transform of any extent, unscaled: sum of h exp(-2 pi i (ax/nx + by/ny)). Frequency (a, b) stands
-/// at cell (a, b), negative frequencies wrapped to the far end. The mean is removed first; a surface that is not periodic
-/// is faded out toward its edges (Hann window) so that they do not count as steps.
+/// The discrete Fourier transform of any extent, unscaled: sum of h exp(-2 pi i (ax/nx + by/ny)). Frequency (a, b)
+/// stands at cell (a, b), negative frequencies wrapped to the far end. The mean is removed first; a surface that is not
+/// periodic is faded out toward its edges (Hann window) so that they do not count as steps.
 Spectrum2D transform(const CoarseSurface& surface);
 
 /// The real part of the inverse transform, scaled so that it undoes `transform`.

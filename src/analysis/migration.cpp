@@ -21,8 +21,8 @@ Peak find_peak(const Grid<double>& correlation, double cells_x, double cells_y) 
   for (int y = 0; y < correlation.ny(); ++y) {
     for (int x = 0; x < correlation.nx(); ++x) {
       if (correlation(x, y) < highest * (1 - 1e-9)) continue;
-      const double distance = std::hypot(signed_frequency(x, correlation.nx()) * cells_x,
-                                         signed_frequency(y, correlation.ny()) * cells_y);
+      const double distance =
+          std::hypot(signed_frequency(x, correlation.nx()) * cells_x, signed_frequency(y, correlation.ny()) * cells_y);
       if (shortest >= 0 && distance >= shortest) continue;
       shortest = distance;
       best = {x, y};
@@ -31,25 +31,29 @@ Peak find_peak(const Grid<double>& correlation, double cells_x, double cells_y) 
   return best;
 }
 
-// Where the quadratic surface through the 3 x 3 values round the peak has its top, relative to the peak. Along a ridge
-// (endless crests) the top is not defined: only the part across it is returned.
-Eigen::Vector2d peak_offset(const Grid<double>& correlation, Peak peak) {
+// The top of the quadratic surface through the 3 x 3 values round the peak, as a shift in blocks. Along a ridge
+// (endless crests) the top is not defined: only the part of the shift across it is returned.
+Eigen::Vector2d refined_shift(const Grid<double>& correlation, Peak peak) {
   const auto at = [&](int dx, int dy) { return correlation.wrapped(peak.x + dx, peak.y + dy); };
-  const Eigen::Vector2d slope(0.5 * (at(1, 0) - at(-1, 0)), 0.5 * (at(0, 1) - at(0, -1)));
+  // Differences across one axis, averaged 1:2:1 along the other: then waves of any direction give an exact ridge.
+  const auto column = [&](int dx) { return 0.25 * (at(dx, -1) + 2 * at(dx, 0) + at(dx, 1)); };
+  const auto row = [&](int dy) { return 0.25 * (at(-1, dy) + 2 * at(0, dy) + at(1, dy)); };
+  const Eigen::Vector2d slope(0.5 * (column(1) - column(-1)), 0.5 * (row(1) - row(-1)));
   Eigen::Matrix2d curvature;
-  curvature(0, 0) = at(1, 0) - 2 * at(0, 0) + at(-1, 0);
-  curvature(1, 1) = at(0, 1) - 2 * at(0, 0) + at(0, -1);
+  curvature(0, 0) = column(1) - 2 * column(0) + column(-1);
+  curvature(1, 1) = row(1) - 2 * row(0) + row(-1);
   curvature(0, 1) = curvature(1, 0) = 0.25 * (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1));
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(curvature);
   const double sharpest = axes.eigenvalues().cwiseAbs().maxCoeff();
-  Eigen::Vector2d offset = Eigen::Vector2d::Zero();
+  const Eigen::Vector2d whole(signed_frequency(peak.x, correlation.nx()), signed_frequency(peak.y, correlation.ny()));
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
   for (int axis = 0; axis < 2; ++axis) {
     const double bend = axes.eigenvalues()(axis);
     if (bend >= -1e-6 * sharpest) continue;
     const Eigen::Vector2d direction = axes.eigenvectors().col(axis);
-    offset -= direction * (direction.dot(slope) / bend);
+    shift += direction * (direction.dot(whole) + std::clamp(-direction.dot(slope) / bend, -1.0, 1.0));
   }
-  return offset.cwiseMax(-1.0).cwiseMin(1.0);
+  return shift;
 }
 
 bool is_flat(const Spectrum2D& spectrum) {
@@ -65,9 +69,8 @@ std::optional<Shift> shift_between(const Spectrum2D& earlier, const Spectrum2D& 
   for (std::size_t cell = 0; cell < cross.size(); ++cell) cross[cell] = std::conj(earlier[cell]) * later[cell];
   const Grid<double> correlation = transform_back(std::move(cross));
   const Peak peak = find_peak(correlation, cells_x, cells_y);
-  const Eigen::Vector2d offset = peak_offset(correlation, peak);
-  return Shift{(signed_frequency(peak.x, correlation.nx()) + offset.x()) * cells_x,
-               (signed_frequency(peak.y, correlation.ny()) + offset.y()) * cells_y};
+  const Eigen::Vector2d shift = refined_shift(correlation, peak);
+  return Shift{shift.x() * cells_x, shift.y() * cells_y};
 }
 
 }  // namespace

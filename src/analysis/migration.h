@@ -14,10 +14,10 @@ struct Shift {
   double y = 0;
 };
 
-/// The shift of `later` against `earlier`, in cells, at the peak of their cross-correlation, found to a fraction of a cell
-/// by a quadratic surface through the peak's neighbourhood. Where several shifts fit equally (waves without end), the
-/// smallest. Nothing where either surface is flat or their extents differ. Between the two the pattern should move less
-/// than half its spacing.
+/// The shift of `later` against `earlier`, in cells, at the peak of their cross-correlation, found to a fraction of a
+/// cell by a quadratic surface through the peak's neighbourhood. Where several shifts fit equally (waves without end),
+/// the smallest. Nothing where either surface is flat or their extents differ. Between the two the pattern should move
+/// less than half its spacing.
 std::optional<Shift> pattern_shift(const CoarseSurface& earlier, const CoarseSurface& later);
 
 /// Watches a pattern over a run and tells its mean velocity.

@@ -65,8 +65,8 @@ void measure_slopes(const Terrain& terrain, Morphometry& result) {
       const int east = next_cell(x, 1, terrain.nx(), terrain.boundary());
       const int west = next_cell(x, -1, terrain.nx(), terrain.boundary());
       const std::int64_t here = terrain.height(x, y);
-      largest_step = std::max({largest_step, std::abs(terrain.height(east, y) - here),
-                               std::abs(terrain.height(x, north) - here)});
+      largest_step =
+          std::max({largest_step, std::abs(terrain.height(east, y) - here), std::abs(terrain.height(x, north) - here)});
       const double rise_x = 0.5 * (terrain.height(east, y) - terrain.height(west, y));
       const double rise_y = 0.5 * (terrain.height(x, north) - terrain.height(x, south));
       sum += degrees(std::atan(std::hypot(rise_x, rise_y) * scale));

@@ -8,7 +8,8 @@
 namespace erg {
 
 struct Morphometry {
-  // Of the mobile layer. On a flat bed its thickness is the dune's height, which is what is found in print as "max slabs".
+  // Of the mobile layer. On a flat bed its thickness is the dune's height, which is what is found in print as "max
+  // slabs".
   std::int32_t max_slabs = 0;  ///< thickest column, quanta
   double mean_slabs = 0;       ///< quanta
   double sd_slabs = 0;         ///< standard deviation over all cells, quanta

@@ -26,12 +26,12 @@ const std::vector<Palette>& table() {
       make_palette("RdYlGn", "green low, red high, as in Cimbura 2022 (colours of ColorBrewer)",
                    {0x006837, 0x1a9850, 0x66bd63, 0xa6d96a, 0xd9ef8b, 0xffffbf, 0xfee08b, 0xfdae61, 0xf46d43, 0xd73027,
                     0xa50026}),
-      make_palette("cividis", "even in lightness, for every kind of colour vision (Nunez et al. 2018)",
-                   {0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173, 0x8a8678, 0xa59c74, 0xc3b369, 0xe1cc55,
-                    0xfee838}),
-      make_palette("batlow", "even in lightness, with more hues (Crameri 2018)",
-                   {0x011959, 0x103f60, 0x1c5a62, 0x3c6d56, 0x687b3e, 0x9d892b, 0xd29343, 0xf8a17b, 0xfdb7bc,
-                    0xfaccfa}),
+      make_palette(
+          "cividis", "even in lightness, for every kind of colour vision (Nunez et al. 2018)",
+          {0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173, 0x8a8678, 0xa59c74, 0xc3b369, 0xe1cc55, 0xfee838}),
+      make_palette(
+          "batlow", "even in lightness, with more hues (Crameri 2018)",
+          {0x011959, 0x103f60, 0x1c5a62, 0x3c6d56, 0x687b3e, 0x9d892b, 0xd29343, 0xf8a17b, 0xfdb7bc, 0xfaccfa}),
       make_palette("grey", "black to white", {0x000000, 0xffffff}),
       make_palette("vegetation", "bare sand to dense green",
                    {0xe2bd83, 0xc3b872, 0x93a65a, 0x5f8c45, 0x356f34, 0x1b4d26}),

@@ -19,7 +19,8 @@ struct Colour {
 /// The colour a fraction t of the way from `first` to `second`; t outside [0, 1] is clamped.
 Colour blend(Colour first, Colour second, double t);
 
-/// A named palette: equally spaced control points from the lowest value to the highest, joined by straight lines in sRGB.
+/// A named palette: equally spaced control points from the lowest value to the highest, joined by straight lines in
+/// sRGB.
 struct Palette {
   std::string name;
   std::string meaning;  ///< what it is good for, and where it comes from

@@ -15,9 +15,9 @@
 #include "io/atomic_file.h"
 #include "io/config_file.h"
 
-// The file: 8 magic bytes, the format's version (4 bytes), the payload, and the CRC-32 of everything before it (4 bytes).
-// Numbers are little-endian; a text or an array is preceded by its length (8 bytes). Payload: config, step, totals,
-// account, extent, cell size, quantum, boundary, inflow, bedrock, mobile layer, fields.
+// The file: 8 magic bytes, the format's version (4 bytes), the payload, and the CRC-32 of everything before it (4
+// bytes). Numbers are little-endian; a text or an array is preceded by its length (8 bytes). Payload: config, step,
+// totals, account, extent, cell size, quantum, boundary, inflow, bedrock, mobile layer, fields.
 
 namespace erg {
 namespace {
@@ -96,8 +96,8 @@ void write_terrain(Writer& out, const Terrain& terrain) {
   out.array(terrain.mobile().cells());
   out.number<std::uint64_t>(terrain.fields().size());
   for (const Field& field : terrain.fields()) {
-    for (const std::string* text : {&field.info.key, &field.info.label, &field.info.unit, &field.info.palette,
-                                    &field.info.meaning}) {
+    for (const std::string* text :
+         {&field.info.key, &field.info.label, &field.info.unit, &field.info.palette, &field.info.meaning}) {
       out.text(*text);
     }
     out.number(field.info.minimum);
@@ -211,8 +211,8 @@ StepReport read_totals(Reader& in) {
 
 Field read_field(Reader& in, Extent extent) {
   Field field;
-  for (std::string* text : {&field.info.key, &field.info.label, &field.info.unit, &field.info.palette,
-                            &field.info.meaning}) {
+  for (std::string* text :
+       {&field.info.key, &field.info.label, &field.info.unit, &field.info.palette, &field.info.meaning}) {
     *text = in.text();
   }
   field.info.minimum = in.finite();

@@ -5,8 +5,8 @@
 
 namespace erg {
 
-inline constexpr int legend_height = 44;       ///< pixels
-inline constexpr int smallest_legend = 360;    ///< pixels: width below which a picture is widened for its legend
+inline constexpr int legend_height = 44;     ///< pixels
+inline constexpr int smallest_legend = 360;  ///< pixels: width below which a picture is widened for its legend
 
 /// A round length (1, 2 or 5 times a power of ten, in m) of at most `longest` m.
 double round_length(double longest);

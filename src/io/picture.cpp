@@ -16,9 +16,10 @@ constexpr Colour bare_ground{0.54f, 0.49f, 0.43f};
 constexpr Colour rock{0.50f, 0.50f, 0.51f};
 constexpr Colour sunlight{1.00f, 0.965f, 0.90f};
 constexpr Colour skylight{0.80f, 0.90f, 1.00f};
-constexpr double sky_share = 0.36;  // of the light on open level ground
+constexpr double sky_share = 0.31;  // of the light on open level ground
 
-// The range of heights that the palette spans: without the highest and lowest two hundredths, which would pale the rest.
+// The range of heights that the palette spans: without the highest and lowest two hundredths, which would pale the
+// rest.
 struct Range {
   float low = 0;
   float high = 1;

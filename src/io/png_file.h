@@ -13,8 +13,8 @@ namespace erg {
 struct PngPixels {
   int width = 0;
   int height = 0;
-  int bits = 8;       ///< 8 or 16 a sample
-  int channels = 3;   ///< 1 grey, 3 colour
+  int bits = 8;      ///< 8 or 16 a sample
+  int channels = 3;  ///< 1 grey, 3 colour
   const void* first = nullptr;
 };
 

@@ -111,6 +111,7 @@ class Conveyor {
   using Shadow = typename Strip<Lane>::Shadow;
   static constexpr Lane all_ones = static_cast<Lane>(~Lane{0});
   static constexpr int lanes_per_word = 8 / static_cast<int>(sizeof(Lane));
+  static constexpr int lane_bits = 8 * static_cast<int>(sizeof(Lane));
 
   // --- lines and rows
   // -------------------------------------------------------------------------------------------------
@@ -282,7 +283,8 @@ class Conveyor {
       return;
     }
     most_landed_ = most > 0 ? 1 : 0;
-    if (most > 1) land_others(arrivals);
+    if (most > 1) land_second(arrivals);
+    if (most > 2) land_others(arrivals);
     if (most > 0) std::memset(arrivals, 0, static_cast<std::size_t>(lanes_) * sizeof(Lane));
     if (plan_.wall_rows) meet_walls(flown);
     if (any_leaving_) launch(flown);
@@ -366,25 +368,65 @@ class Conveyor {
     return most;
   }
 
-  /// The second, third ... slab that comes down at a lane. Rare, so one lane at a time.
+  /// The second slab that comes down at a lane: common enough that branches on it would not be foreseen.
+  void land_second(const Lane* __restrict arrivals) {
+    fill_random(row_.random, draw_key(row_word_, static_cast<std::uint32_t>(Draw::first_landing) + 1));
+    const Lane* __restrict random = row_.random;
+    const Lane* __restrict threshold = row_.threshold;
+    const Lane* __restrict sure = row_.sure;
+    Lane* __restrict landed = row_.landed;
+    Lane* __restrict leaving = row_.leaving;
+    ERG_EACH(i, lanes_) {
+      const Lane stays = static_cast<Lane>((random[i] < threshold[i] ? all_ones : Lane{0}) | sure[i]);
+      const Lane land = static_cast<Lane>((arrivals[i] > 1 ? all_ones : Lane{0}) & stays & 1);
+      landed[i] = static_cast<Lane>(landed[i] + land);
+      leaving[i] = static_cast<Lane>(leaving[i] - land);
+    }
+    most_landed_ = 2;
+  }
+
+  /// The third, fourth ... slab. Rare, so one lane at a time.
   void land_others(const Lane* arrivals) {
-    constexpr std::uint64_t more_than_one = sizeof(Lane) == 1 ? 0xfefefefefefefefeu : 0xfffefffefffefffeu;
-    for (int first = 0; first < lanes_; first += lanes_per_word) {
-      std::uint64_t word;
-      __builtin_memcpy(&word, arrivals + first, 8);
-      if ((word & more_than_one) == 0) continue;
-      for (int i = first; i < first + lanes_per_word; ++i) {
-        std::uint32_t landed = row_.landed[i];
-        for (std::uint32_t slab = 1; slab < arrivals[i]; ++slab) {
-          const std::uint32_t key = draw_key(row_word_, static_cast<std::uint32_t>(Draw::first_landing) + slab);
-          const std::uint32_t byte = line_byte(key, static_cast<std::uint32_t>(strip_.first + i));
-          if (row_.sure[i] || byte < row_.threshold[i]) ++landed;
-        }
-        row_.leaving[i] = static_cast<Lane>(row_.leaving[i] + row_.landed[i] - landed);
-        row_.landed[i] = static_cast<Lane>(landed);
-        if (landed > most_landed_) most_landed_ = landed;
+    for (int first = 0; first < lanes_; first += 64) {
+      for (std::uint64_t mask = lanes_above<2>(arrivals + first); mask != 0; mask &= mask - 1) {
+        const int lane = first + __builtin_ctzll(mask);
+        land_more(lane, arrivals[lane]);
       }
     }
+  }
+
+  void land_more(int lane, std::uint32_t arriving) {
+    const std::uint32_t before = row_.landed[lane];
+    std::uint32_t landed = before;
+    for (std::uint32_t slab = 2; slab < arriving; ++slab) {
+      const std::uint32_t key = draw_key(row_word_, static_cast<std::uint32_t>(Draw::first_landing) + slab);
+      const std::uint32_t byte = line_byte(key, static_cast<std::uint32_t>(strip_.first + lane));
+      landed += (row_.sure[lane] != 0 || byte < row_.threshold[lane]) ? 1 : 0;
+    }
+    row_.leaving[lane] = static_cast<Lane>(row_.leaving[lane] + before - landed);
+    row_.landed[lane] = static_cast<Lane>(landed);
+    most_landed_ = landed > most_landed_ ? landed : most_landed_;
+  }
+
+  /// One bit for each of 64 lanes: set where the lane holds more than `limit` (0 or 2). Lanes hold less than half of what
+  /// they can, so an addition carries into a lane's top bit and no further.
+  template <int limit>
+  static std::uint64_t lanes_above(const Lane* lanes) {
+    constexpr bool bytes = sizeof(Lane) == 1;
+    constexpr std::uint64_t ones = bytes ? 0x0101010101010101u : 0x0001000100010001u;
+    constexpr std::uint64_t carry = ones * ((std::uint64_t{1} << (lane_bits - 1)) - 1 - limit);
+    // Multiplying gathers the top bits of a word's lanes in its uppermost bits, in order.
+    constexpr std::uint64_t gather = bytes ? 0x0102040810204080u : 0x0001000200040008u;
+    constexpr int gathered_at = bytes ? 56 : 48;
+    constexpr std::uint64_t gathered = (1u << lanes_per_word) - 1;
+    std::uint64_t mask = 0;
+    for (int word_number = 0; word_number < 64 / lanes_per_word; ++word_number) {
+      std::uint64_t word;
+      __builtin_memcpy(&word, lanes + word_number * lanes_per_word, 8);
+      const std::uint64_t top = ((word + carry) >> (lane_bits - 1)) & ones;
+      mask |= ((top * gather) >> gathered_at & gathered) << (word_number * lanes_per_word);
+    }
+    return mask;
   }
 
   // --- flight
@@ -428,24 +470,25 @@ class Conveyor {
   }
 
   void launch_by_height(std::int64_t flown) {
-    const std::uint32_t key = draw_key(row_word_, Draw::hop);
+    fill_random(row_.random, draw_key(row_word_, Draw::hop));
     std::uint32_t longest = 0;
-    for (int first = 0; first < lanes_; first += lanes_per_word) {
-      std::uint64_t word;
-      __builtin_memcpy(&word, row_.leaving + first, 8);
-      while (word != 0) {
-        const int i = first + (__builtin_ctzll(word) / (8 * static_cast<int>(sizeof(Lane))));
-        const Lane leaving = row_.leaving[i];
-        word &= ~(static_cast<std::uint64_t>(all_ones) << (8 * static_cast<int>(sizeof(Lane)) * (i - first)));
-        const std::uint32_t byte = line_byte(key, static_cast<std::uint32_t>(strip_.first + i));
-        const std::uint32_t rows = hop_rows(plan_.hop_table[row_.height[i]], byte);
-        Lane& there = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(i)];
-        there = static_cast<Lane>(there + leaving);
-        if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.crowded = true;
-        strip_.counts.rows_flown += static_cast<std::int64_t>(rows) * leaving;
-        if (rows > longest) longest = rows;
+    std::uint32_t fullest = 0;
+    std::int64_t rows_flown = 0;
+    for (int first = 0; first < lanes_; first += 64) {
+      for (std::uint64_t mask = lanes_above<0>(row_.leaving + first); mask != 0; mask &= mask - 1) {
+        const int lane = first + __builtin_ctzll(mask);
+        const std::uint32_t leaving = row_.leaving[lane];
+        const std::uint32_t rows = hop_rows(plan_.hop_table[row_.height[lane]], row_.random[lane]);
+        Lane& there = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(lane)];
+        const std::uint32_t now = there + leaving;
+        there = static_cast<Lane>(now);
+        fullest = now > fullest ? now : fullest;
+        longest = rows > longest ? rows : longest;
+        rows_flown += static_cast<std::int64_t>(rows) * leaving;
       }
     }
+    if (sizeof(Lane) == 1 && fullest > narrow_arrivals) strip_.counts.crowded = true;
+    strip_.counts.rows_flown += rows_flown;
     expect(flown + longest);
   }
 

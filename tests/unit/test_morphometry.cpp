@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/units.h"
+
 namespace erg {
 namespace {
 
@@ -30,14 +32,14 @@ TEST(Morphometry, APlaneHasItsSlopeEverywhere) {
   const Morphometry m = measure(terrain);
   EXPECT_NEAR(m.steepest_slope, 45, 1e-9);
   // Interior columns stand at 45 degrees; at the two open edges the difference is one-sided, half as large.
-  EXPECT_NEAR(m.mean_slope, (10 * 45 + 2 * std::atan(0.5) * 180 / M_PI) / 12, 1e-9);
+  EXPECT_NEAR(m.mean_slope, (10 * 45 + 2 * degrees(std::atan(0.5))) / 12, 1e-9);
 }
 
 TEST(Morphometry, SeesTheStepOverTheEdgeOfATorusOnly) {
   for (const Boundary boundary : {Boundary::torus, Boundary::open}) {
     Terrain terrain({10, 1}, 1.0, 1.0, boundary);
     for (int x = 0; x < 10; ++x) terrain.edit_mobile()(x, 0) = x;
-    EXPECT_NEAR(std::tan(measure(terrain).steepest_slope * M_PI / 180), boundary == Boundary::torus ? 9 : 1, 1e-9);
+    EXPECT_NEAR(std::tan(radians(measure(terrain).steepest_slope)), boundary == Boundary::torus ? 9 : 1, 1e-9);
   }
 }
 
