@@ -29,6 +29,7 @@ double speed(const SeedRun& run) { return std::hypot(run.end.migration.x, run.en
 
 std::vector<Column> statistics_columns(const std::vector<std::int64_t>& watch) {
   std::vector<Column> columns;
+  columns.reserve(watch.size() + 5);
   for (const std::int64_t step : watch) {
     columns.push_back({"sd at " + std::to_string(step), 2, [step](const SeedRun& run) { return sd_at(run, step); }});
   }
@@ -74,6 +75,7 @@ std::vector<Sample> measure_columns(const Config& config, const char* executor, 
                                     const std::vector<std::int64_t>& watch, const std::vector<Column>& columns) {
   const std::vector<SeedRun> runs = run_seeds(config, executor, seeds, watch);
   std::vector<Sample> samples;
+  samples.reserve(columns.size());
   for (const Column& column : columns) samples.push_back(sample_of(runs, column.number));
   return samples;
 }
