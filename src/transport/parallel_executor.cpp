@@ -37,6 +37,30 @@ void permuted_rows(StepKey key, int round, int sweep, int sweeps, std::vector<st
   }
 }
 
+/// Cuts planes of this size into blocks of up to 512 columns, two at least from 256 columns on.
+PlaneLayout plane_layout(int width, int length) {
+  const auto whole_lines = [](int columns) { return (columns + 63) / 64 * 64; };
+  PlaneLayout layout;
+  layout.width = width;
+  layout.length = length;
+  const int wanted = width < 256 ? 1 : std::max(2, width / 512);
+  layout.block_columns = whole_lines((width + wanted - 1) / wanted);
+  layout.blocks = (width + layout.block_columns - 1) / layout.block_columns;
+  // Never a power of two, or the rows of a block would crowd into a few sets of the processor's caches.
+  layout.pitch = layout.block_columns + 64;
+  layout.block_size = static_cast<std::size_t>(layout.pitch) * static_cast<std::size_t>(length);
+  return layout;
+}
+
+/// Tiles are numbered up each block, then along the blocks.
+int tile_rows_of(int length) { return std::max(1, length / tile_rows); }
+SlideTile tile_number(int number, int length) {
+  const int rows = tile_rows_of(length);
+  const int row = number % rows;
+  // The last tile takes the rows that are left over.
+  return {number / rows, row * tile_rows, row + 1 == rows ? length : (row + 1) * tile_rows};
+}
+
 }  // namespace
 
 ParallelExecutor::ParallelExecutor(const ExecutorOptions& options) : options_(options), team_(options.threads) {
@@ -90,6 +114,7 @@ void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();
   frame_ = frame;
+  layout_ = plane_layout(frame.width, frame.length);
   open_ = terrain.boundary() == Boundary::open;
   const auto [low, high] = std::minmax_element(bedrock.begin(), bedrock.end());
   base_ = *low;
@@ -131,10 +156,10 @@ void ParallelExecutor::visit_cells(const Visit& visit) {
       const int first = block * block_rows;
       const int end = std::min(frame_.length, first + block_rows);
       for (int u = 0; u < frame_.width; ++u) {
+        const std::size_t column = layout_.at(u / layout_.block_columns, u % layout_.block_columns, 0);
         for (int v = first; v < end; ++v) {
-          const auto here =
-              static_cast<std::size_t>(v) * static_cast<std::size_t>(frame_.width) + static_cast<std::size_t>(u);
-          visit(here, frame_.cell(u, v));
+          const std::size_t row = static_cast<std::size_t>(v) * static_cast<std::size_t>(layout_.pitch);
+          visit(column + row, frame_.cell(u, v));
         }
       }
     }
@@ -144,9 +169,9 @@ void ParallelExecutor::visit_cells(const Visit& visit) {
 template <typename Lane>
 void ParallelExecutor::load_heights(const Terrain& terrain) {
   Planes<Lane>& mine = planes<Lane>();
-  mine.before.resize(terrain.extent().cells());
-  mine.after.resize(terrain.extent().cells());
-  mine.bedrock.resize(relief_ ? terrain.extent().cells() : 0);
+  mine.before.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
+  mine.after.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
+  mine.bedrock.resize(relief_ ? layout_.block_size * static_cast<std::size_t>(layout_.blocks) : 0);
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();
   visit_cells([&](std::size_t here, std::size_t there) {
@@ -202,11 +227,11 @@ void ParallelExecutor::load_cover(const SlabLaw& law) {
   }
   if (cover_loaded_ && cover_revision_ == law.cover_revision) return;
   const auto cover = law.cover->cells();
-  cover_.resize(cover.size());
+  cover_.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   visit_cells([&](std::size_t here, std::size_t there) { cover_[here] = cover[there]; });
 
   Planes<Lane>& mine = planes<Lane>();
-  const auto lay_steps = [&](std::vector<Lane>& steps, int bare, int covered) {
+  const auto lay_steps = [&](AlignedVector<Lane>& steps, int bare, int covered) {
     steps.resize(bare == covered ? 0 : cover_.size());
     for (std::size_t cell = 0; cell < steps.size(); ++cell) {
       steps[cell] = static_cast<Lane>(cover_[cell] >= law.covered_from ? covered : bare);
@@ -226,9 +251,13 @@ void ParallelExecutor::prepare_walls(const SlabLaw& law) {
   }
   wall_rows_.assign(static_cast<std::size_t>(frame_.length), 0);
   const auto mark = [&](const auto& bedrock) {
-    for (int v = 0; v < frame_.length; ++v) {
-      const auto row = bedrock.begin() + static_cast<std::ptrdiff_t>(v) * frame_.width;
-      wall_rows_[static_cast<std::size_t>(v)] = *std::max_element(row, row + frame_.width) > law.bare.straight ? 1 : 0;
+    for (int block = 0; block < layout_.blocks; ++block) {
+      for (int v = 0; v < frame_.length; ++v) {
+        const auto row = bedrock.begin() + static_cast<std::ptrdiff_t>(layout_.at(block, 0, v));
+        if (*std::max_element(row, row + layout_.columns_of(block)) > law.bare.straight) {
+          wall_rows_[static_cast<std::size_t>(v)] = 1;
+        }
+      }
     }
   };
   if (narrow_) {
@@ -249,8 +278,7 @@ void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength) {
     hop_table_.assign(1, rows_256(0));
     return;
   }
-  const double cells = static_cast<double>(planes<Lane>().before.size());
-  const double mean = static_cast<double>(bedrock_total_ + mobile_total_) / cells - base_;
+  const double mean = static_cast<double>(bedrock_total_ + mobile_total_) / static_cast<double>(cells()) - base_;
   const double deviation = law.hop.deviation_weight != 0 ? mean_deviation<Lane>(mean) : 0;
   const double reference = mean - law.hop.deviation_weight * deviation;
   hop_table_.resize(std::size_t{1} << (8 * sizeof(Lane)));
@@ -262,15 +290,18 @@ void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength) {
 /// Mean of |h - mean| over the cells, from counts of heights: the same sum on any number of threads.
 template <typename Lane>
 double ParallelExecutor::mean_deviation(double mean) {
-  const std::vector<Lane>& heights = planes<Lane>().before;
+  const AlignedVector<Lane>& heights = planes<Lane>().before;
   std::vector<std::vector<std::int64_t>> counts(static_cast<std::size_t>(team_.size()));
   team_.run([&](int member) {
     std::vector<std::int64_t>& mine = counts[static_cast<std::size_t>(member)];
     mine.assign(static_cast<std::size_t>(highest_) + 1, 0);
-    const auto members = static_cast<std::size_t>(team_.size());
-    const std::size_t first = heights.size() * static_cast<std::size_t>(member) / members;
-    const std::size_t end = heights.size() * (static_cast<std::size_t>(member) + 1) / members;
-    for (std::size_t cell = first; cell < end; ++cell) ++mine[heights[cell]];
+    const auto [first, end] = share(frame_.length, member);
+    for (int block = 0; block < layout_.blocks; ++block) {
+      for (int v = first; v < end; ++v) {
+        const Lane* row = heights.data() + layout_.at(block, 0, v);
+        for (int u = 0; u < layout_.columns_of(block); ++u) ++mine[row[u]];
+      }
+    }
   });
   double sum = 0;
   for (std::size_t height = 0; height <= static_cast<std::size_t>(highest_); ++height) {
@@ -278,15 +309,15 @@ double ParallelExecutor::mean_deviation(double mean) {
     for (const auto& mine : counts) count += mine[height];
     sum += static_cast<double>(count) * std::abs(static_cast<double>(height) - mean);
   }
-  return sum / static_cast<double>(heights.size());
+  return sum / static_cast<double>(cells());
 }
 
 /// Cuts the lines into strips, one or more for each member, with rings of this many rows.
 template <typename Lane>
 void ParallelExecutor::prepare_strips(int ring_rows) {
   Planes<Lane>& mine = planes<Lane>();
-  const int share = (frame_.width + team_.size() - 1) / team_.size();
-  const int lines = std::min(strip_lines, (share + 63) / 64 * 64);
+  const int lines_each = (frame_.width + team_.size() - 1) / team_.size();
+  const int lines = std::min(strip_lines, (lines_each + 63) / 64 * 64);
   const auto count = static_cast<std::size_t>((frame_.width + lines - 1) / lines);
   const std::size_t ring = static_cast<std::size_t>(ring_rows) * strip_lines;
   if (mine.strips.size() != count) mine.strips = std::vector<Strip<Lane>>(count);
@@ -312,8 +343,7 @@ int ParallelExecutor::ring_rows(int highest) const {
 
 bool ParallelExecutor::goes_on(const Progress& progress) const {
   if (!progress.law->forced_erosion) return progress.sweep < options_.sweeps;
-  const auto cells = static_cast<std::int64_t>(frame_.width) * frame_.length;
-  return progress.counts.lifts < cells && progress.idle < idle_rounds * options_.sweeps;
+  return progress.counts.lifts < cells() && progress.idle < idle_rounds * options_.sweeps;
 }
 
 /// Runs sub-sweeps until the step is done; false if 8-bit lanes cannot hold the next one, which then has left no trace.
@@ -347,7 +377,7 @@ template <typename Lane>
 ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progress progress, int rows) {
   Planes<Lane>& mine = planes<Lane>();
   const SweepKernels<Lane>& kernels = sweep_kernels<Lane>(options_.instructions);
-  const auto members = static_cast<std::size_t>(team_.size());
+  const auto [first_strip, end_strip] = share(static_cast<int>(mine.strips.size()), member);
   Lane* before = mine.before.data();
   Lane* after = mine.after.data();
   std::vector<std::uint8_t> polled_rows;
@@ -356,12 +386,11 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     plan.before = before;
     plan.after = after;
     plan.ring_rows = rows;
-    for (std::size_t k = static_cast<std::size_t>(member); k < mine.strips.size(); k += members) {
-      kernels.convey(plan, mine.strips[k]);
-    }
+    for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
     team_.meet();
-    for (std::size_t k = static_cast<std::size_t>(member); k < mine.strips.size(); k += members) {
-      if (!plan.open && !mine.strips[k].counts.crowded) kernels.carry(plan, mine.strips[k]);
+    for (int k = first_strip; k < end_strip; ++k) {
+      Strip<Lane>& strip = mine.strips[static_cast<std::size_t>(k)];
+      if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);
     }
     team_.meet();
     const SweepCounts counts = summed(mine.strips);
@@ -406,23 +435,34 @@ SweepCounts ParallelExecutor::summed(const std::vector<Strip<Lane>>& strips) {
   return sum;
 }
 
-/// Slides inside the member's bands, then the seams at their upper ends.
+/// Slides inside tiles, then over the seams between the rows of tiles, then over those between columns of tiles. A
+/// member's tiles stand in the columns of its strips, so that (on a straight wind) what it conveyed is still near.
 template <typename Lane>
 void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
-  const int bands = std::max(1, plan.length / band_rows);
-  const int first = bands * member / team_.size();
-  const int end = bands * (member + 1) / team_.size();
-  const auto end_row = [&](int band) { return band + 1 == bands ? plan.length : (band + 1) * band_rows; };
-  for (int band = first; band < end; ++band) kernels.slide_band(plan, band * band_rows, end_row(band));
-  team_.meet();
-  for (int band = first; band < end; ++band) {
-    if (band + 1 < bands) {
-      kernels.slide_seam(plan, end_row(band) - 1, end_row(band));
-    } else if (!plan.open && plan.length > 2) {
-      kernels.slide_seam(plan, plan.length - 1, 0);
-    }
+  const int length = plan.layout.length;
+  const int blocks = plan.layout.blocks;
+  const auto [first, end] = share(blocks * tile_rows_of(length), member);
+  for (int k = first; k < end; ++k) kernels.slide_tile(plan, tile_number(k, length));
+  // Where members hold whole blocks, the seams inside them wait for nobody.
+  if (blocks % team_.size() != 0) team_.meet();
+  for (int k = first; k < end; ++k) {
+    const SlideTile tile = tile_number(k, length);
+    if (tile.end_row < length || (!plan.open && length > 2)) kernels.slide_row_seam(plan, tile);
   }
   team_.meet();
+  const auto [first_block, end_block] = share(blocks, member);
+  for (int block = first_block; block < end_block; ++block) {
+    const bool closes = block + 1 == blocks;
+    if (!closes || (!plan.open && plan.layout.width > 2))
+      kernels.slide_column_seam(plan, block, closes ? 0 : block + 1);
+  }
+  team_.meet();
+}
+
+/// The part [first, end) of `count` things that falls to a member.
+std::pair<int, int> ParallelExecutor::share(int count, int member) const {
+  const auto part = [&](int k) { return static_cast<int>(static_cast<std::int64_t>(count) * k / team_.size()); };
+  return {part(member), part(member + 1)};
 }
 
 template <typename Lane>
@@ -432,8 +472,7 @@ SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress, std::vect
   const int round = progress.sweep / options_.sweeps;
   const auto sweep = static_cast<std::uint64_t>(progress.sweep);
   SweepPlan<Lane> plan;
-  plan.width = frame_.width;
-  plan.length = frame_.length;
+  plan.layout = layout_;
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();
   plan.cover = cover_.empty() ? nullptr : cover_.data();
   plan.wall_rows = wall_rows_.empty() ? nullptr : wall_rows_.data();
@@ -473,8 +512,7 @@ SlidePlan<Lane> ParallelExecutor::slide_plan(const Progress& progress, Lane* hei
   const SlabLaw& law = *progress.law;
   const Planes<Lane>& mine = planes<Lane>();
   SlidePlan<Lane> plan;
-  plan.width = frame_.width;
-  plan.length = frame_.length;
+  plan.layout = layout_;
   plan.heights = heights;
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();
   plan.steps = mine.steps.empty() ? nullptr : mine.steps.data();

@@ -49,6 +49,8 @@ struct LaneSums {
 struct Walk {
   std::int64_t rest;  // (row * drift + phase) mod length
   int column;
+  int block;             // of the column
+  int in_block;          // the column's place in its block
   bool stepped = false;  // moved one column sideways at this row
 };
 
@@ -73,7 +75,7 @@ class Conveyor {
     }
     const int block = plan_.polled_row ? plan_.sweeps : plan_.sweeps / 2;
     int row_in_block = 0;
-    for (int y = 0; y < plan_.length; ++y) {
+    for (int y = 0; y < plan_.layout.length; ++y) {
       if (row_in_block == 0) draw_polls(y, block);
       read_row(y, y);
       if (plan_.open) cross_open_edges(y);
@@ -85,16 +87,16 @@ class Conveyor {
       if (++row_in_block == block) row_in_block = 0;
     }
     flush_sums();
-    if (plan_.open) drop_all(plan_.length);
+    if (plan_.open) drop_all(plan_.layout.length);
   }
 
   void carry() {
-    if (strip_.last_arrival < plan_.length) return;
-    start_walk(plan_.length);
-    const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan_.length;
+    if (strip_.last_arrival < plan_.layout.length) return;
+    start_walk(plan_.layout.length);
+    const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan_.layout.length;
     std::memset(strip_.target, 0xff, sizeof strip_.target);
     int y = 0;
-    for (std::int64_t flown = plan_.length; flown <= strip_.last_arrival; ++flown) {
+    for (std::int64_t flown = plan_.layout.length; flown <= strip_.last_arrival; ++flown) {
       read_row(y, flown);
       find_shadow();
       if (flown > last_free_row) std::memset(row_.dark, 0xff, sizeof row_.dark);
@@ -102,7 +104,7 @@ class Conveyor {
       if (strip_.counts.crowded) return;
       add_row(y);
       walk_on();
-      if (++y == plan_.length) y = 0;
+      if (++y == plan_.layout.length) y = 0;
     }
     flush_sums();
   }
@@ -117,43 +119,60 @@ class Conveyor {
   // -------------------------------------------------------------------------------------------------
 
   void start_walk(std::int64_t row) {
-    const std::int64_t offset = line_offset(row, plan_.drift, plan_.phase, plan_.length);
-    walk_.rest = row * plan_.drift + plan_.phase - offset * plan_.length;
-    const std::int64_t column = (strip_.first + offset) % plan_.width;
-    walk_.column = static_cast<int>(column < 0 ? column + plan_.width : column);
+    const std::int64_t offset = line_offset(row, plan_.drift, plan_.phase, plan_.layout.length);
+    walk_.rest = row * plan_.drift + plan_.phase - offset * plan_.layout.length;
+    const std::int64_t column = (strip_.first + offset) % plan_.layout.width;
+    walk_.column = static_cast<int>(column < 0 ? column + plan_.layout.width : column);
+    walk_.block = walk_.column / plan_.layout.block_columns;
+    walk_.in_block = walk_.column - walk_.block * plan_.layout.block_columns;
     walk_.stepped = false;
   }
 
   void walk_on() {
     walk_.rest += plan_.drift;
-    walk_.stepped = walk_.rest >= plan_.length;
+    walk_.stepped = walk_.rest >= plan_.layout.length;
     if (!walk_.stepped) return;
-    walk_.rest -= plan_.length;
-    if (++walk_.column == plan_.width) walk_.column = 0;
+    walk_.rest -= plan_.layout.length;
+    if (++walk_.column == plan_.layout.width) walk_.column = 0;
+    if (++walk_.in_block < plan_.layout.columns_of(walk_.block)) return;
+    walk_.in_block = 0;
+    if (++walk_.block == plan_.layout.blocks) walk_.block = 0;
+  }
+
+  /// Calls visit(first lane, cell of a plane, lanes) for each run of lanes that lie side by side in row y of a plane.
+  template <typename Visit>
+  void for_runs(int y, const Visit& visit) const {
+    int block = walk_.block;
+    int column = walk_.in_block;
+    for (int lane = 0; lane < strip_.lines; column = 0) {
+      const int in_block = plan_.layout.columns_of(block) - column;
+      const int left = strip_.lines - lane;
+      const int lanes = in_block < left ? in_block : left;
+      visit(lane, plan_.layout.at(block, column, y), static_cast<std::size_t>(lanes));
+      lane += lanes;
+      block = block + 1 == plan_.layout.blocks ? 0 : block + 1;
+    }
   }
 
   template <typename T>
-  void copy_in(T* lanes, const T* plane_row, int column) const {
-    const int first_run = plan_.width - column < strip_.lines ? plan_.width - column : strip_.lines;
-    std::memcpy(lanes, plane_row + column, static_cast<std::size_t>(first_run) * sizeof(T));
-    if (first_run < strip_.lines) {
-      std::memcpy(lanes + first_run, plane_row, static_cast<std::size_t>(strip_.lines - first_run) * sizeof(T));
-    }
+  void copy_in(T* lanes, const T* plane, int y) const {
+    for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+      std::memcpy(lanes + lane, plane + cell, count * sizeof(T));
+    });
   }
-
-  std::size_t row_start(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(plan_.width); }
 
   /// Reads the frozen surface. `flown` is the row counted on over the torus edge: it keys the random numbers.
   void read_row(int y, std::int64_t flown) {
-    const Lane* heights = plan_.before + row_start(y);
-    copy_in(row_.height, heights, walk_.column);
-    const int ahead = y + prefetch_rows < plan_.length ? y + prefetch_rows : y;
+    copy_in(row_.height, plan_.before, y);
+    // Rows of a column lie too far apart for the processor to foresee them.
+    const std::size_t ahead =
+        plan_.layout.at(walk_.block, walk_.in_block, y + prefetch_rows < plan_.layout.length ? y + prefetch_rows : y);
     for (int lane = 0; lane < strip_.lines; lane += 64 / static_cast<int>(sizeof(Lane))) {
-      __builtin_prefetch(plan_.before + row_start(ahead) + walk_.column + lane);
-      __builtin_prefetch(plan_.after + row_start(ahead) + walk_.column + lane, 1);
+      __builtin_prefetch(plan_.before + ahead + lane);
+      __builtin_prefetch(plan_.after + ahead + lane, 1);
     }
-    if (plan_.bedrock) copy_in(row_.bedrock, plan_.bedrock + row_start(y), walk_.column);
-    if (plan_.cover) copy_in(row_.cover, plan_.cover + row_start(y), walk_.column);
+    if (plan_.bedrock) copy_in(row_.bedrock, plan_.bedrock, y);
+    if (plan_.cover) copy_in(row_.cover, plan_.cover, y);
     row_word_ = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
     y_ = y;
   }
@@ -169,23 +188,19 @@ class Conveyor {
       highest = now > highest ? now : highest;
     }
     if (highest > strip_.counts.highest) strip_.counts.highest = highest;
-    Lane* out = plan_.after + row_start(y);
-    const int first_run = plan_.width - walk_.column < strip_.lines ? plan_.width - walk_.column : strip_.lines;
-    std::memcpy(out + walk_.column, height, static_cast<std::size_t>(first_run) * sizeof(Lane));
-    if (first_run < strip_.lines) {
-      std::memcpy(out, height + first_run, static_cast<std::size_t>(strip_.lines - first_run) * sizeof(Lane));
-    }
+    for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+      std::memcpy(plan_.after + cell, height + lane, count * sizeof(Lane));
+    });
     if (most_landed_ > strip_.counts.most_landed) strip_.counts.most_landed = most_landed_;
   }
 
   void add_row(int y) {
     if (most_landed_ == 0) return;
-    Lane* out = plan_.after + row_start(y);
-    int column = walk_.column;
-    for (int i = 0; i < strip_.lines; ++i) {
-      out[column] = static_cast<Lane>(out[column] + row_.landed[i]);
-      if (++column == plan_.width) column = 0;
-    }
+    for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+      Lane* __restrict out = plan_.after + cell;
+      const Lane* __restrict landed = row_.landed + lane;
+      ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<Lane>(out[i] + landed[i]);
+    });
     if (most_landed_ > strip_.counts.most_carried) strip_.counts.most_carried = most_landed_;
   }
 
@@ -194,13 +209,13 @@ class Conveyor {
 
   void warm_up() {
     start_walk(-static_cast<std::int64_t>(plan_.warm_up));
-    int y = plan_.length - plan_.warm_up % plan_.length;
-    if (y == plan_.length) y = 0;
+    int y = plan_.layout.length - plan_.warm_up % plan_.layout.length;
+    if (y == plan_.layout.length) y = 0;
     for (int left = plan_.warm_up; left > 0; --left) {
-      copy_in(row_.height, plan_.before + row_start(y), walk_.column);
+      copy_in(row_.height, plan_.before, y);
       find_shadow();
       walk_on();
-      if (++y == plan_.length) y = 0;
+      if (++y == plan_.layout.length) y = 0;
     }
   }
 
@@ -248,7 +263,7 @@ class Conveyor {
       ERG_EACH(i, lanes_) target[i] = static_cast<Lane>(target[i] & mask);
     }
     for (int i = strip_.lines; i < lanes_; ++i) target[i] = all_ones;
-    const Lane rows = static_cast<Lane>(plan_.length - y < block ? plan_.length - y : block);
+    const Lane rows = static_cast<Lane>(plan_.layout.length - y < block ? plan_.layout.length - y : block);
     Lane* __restrict polls = sums_.polls;
     ERG_EACH(i, lanes_) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
   }
@@ -408,8 +423,8 @@ class Conveyor {
     most_landed_ = landed > most_landed_ ? landed : most_landed_;
   }
 
-  /// One bit for each of 64 lanes: set where the lane holds more than `limit` (0 or 2). Lanes hold less than half of what
-  /// they can, so an addition carries into a lane's top bit and no further.
+  /// One bit for each of 64 lanes: set where the lane holds more than `limit` (0 or 2). Lanes hold less than half of
+  /// what they can, so an addition carries into a lane's top bit and no further.
   template <int limit>
   static std::uint64_t lanes_above(const Lane* lanes) {
     constexpr bool bytes = sizeof(Lane) == 1;
@@ -499,17 +514,17 @@ class Conveyor {
   /// Algorithm 7 of Cimbura 2022: where bedrock stands too steeply in the next row, all that flies over here drops
   /// here.
   void meet_walls(std::int64_t flown) {
-    if (plan_.open && y_ == plan_.length - 1) return;
-    const int next = y_ + 1 == plan_.length ? 0 : y_ + 1;
+    if (plan_.open && y_ == plan_.layout.length - 1) return;
+    const int next = y_ + 1 == plan_.layout.length ? 0 : y_ + 1;
     if (!plan_.wall_rows[next]) return;
     Walk here = walk_;
     walk_on();
-    copy_in(row_.next_bedrock, plan_.bedrock + row_start(next), walk_.column);
+    copy_in(row_.next_bedrock, plan_.bedrock, next);
     const bool leaves_sideways = plan_.open && walk_.stepped;
     walk_ = here;
     for (int i = 0; i < strip_.lines; ++i) {
       if (row_.next_bedrock[i] <= row_.height[i] + plan_.wall_step) continue;
-      if (leaves_sideways && (walk_.column + i) % plan_.width == plan_.width - 1) continue;
+      if (leaves_sideways && (walk_.column + i) % plan_.layout.width == plan_.layout.width - 1) continue;
       drop_here(i, flown);
     }
   }
@@ -542,7 +557,7 @@ class Conveyor {
       return;
     }
     if (!walk_.stepped) return;
-    const int lane = walk_.column == 0 ? 0 : plan_.width - walk_.column;
+    const int lane = walk_.column == 0 ? 0 : plan_.layout.width - walk_.column;
     if (lane >= strip_.lines) return;
     drop_out(lane, y);
     strip_.line[lane] = 0;
@@ -691,45 +706,59 @@ class Slider {
  public:
   explicit Slider(const SlidePlan<Lane>& plan) : plan_(plan) {}
 
-  void band(int first_row, int end_row) const {
+  void tile(const SlideTile& tile) const {
     const int classes = plan_.diagonals ? 8 : 4;
     for (int k = 0; k < classes; ++k) {
       const EdgeClass edges = static_cast<EdgeClass>(plan_.order[k]);
       if (edges == across_even || edges == across_odd) {
-        for (int y = first_row; y < end_row; ++y) across(y, edges == across_odd ? 1 : 0);
+        for (int y = tile.first_row; y < tile.end_row; ++y) across(y, tile, edges == across_odd ? 1 : 0);
         continue;
       }
-      const bool odd = edges == along_odd || edges == rising_odd || edges == falling_odd;
-      for (int y = first_row + ((first_row & 1) != (odd ? 1 : 0) ? 1 : 0); y + 1 < end_row; y += 2) {
-        between_rows(y, y + 1, edges);
+      const int odd = edges == along_odd || edges == rising_odd || edges == falling_odd ? 1 : 0;
+      for (int y = tile.first_row + ((tile.first_row & 1) != odd ? 1 : 0); y + 1 < tile.end_row; y += 2) {
+        between_rows(y, y + 1, tile, edges);
       }
     }
   }
 
-  void seam(int lower, int upper) const {
-    between_rows(lower, upper, along_even);
+  void row_seam(const SlideTile& below) const {
+    const int upper = below.end_row == plan_.layout.length ? 0 : below.end_row;
+    between_rows(below.end_row - 1, upper, below, along_even);
     if (!plan_.diagonals) return;
-    between_rows(lower, upper, rising_even);
-    between_rows(lower, upper, falling_even);
+    between_rows(below.end_row - 1, upper, below, rising_even);
+    between_rows(below.end_row - 1, upper, below, falling_even);
+  }
+
+  void column_seam(int left_block, int right_block) const {
+    const PlaneLayout& layout = plan_.layout;
+    const std::size_t left = layout.at(left_block, layout.columns_of(left_block) - 1, 0);
+    const std::size_t right = layout.at(right_block, 0, 0);
+    const auto edges = [&](std::size_t from, std::size_t to, int rows_up, const Lane* steps, int step) {
+      for (int y = 0; y < plan_.layout.length; ++y) {
+        const int upper = y + rows_up < plan_.layout.length ? y + rows_up : 0;
+        if (upper < y && plan_.open) continue;
+        run(from + row(y), to + row(upper), 1, steps, step);
+      }
+    };
+    edges(left, right, 0, plan_.steps, plan_.step);
+    if (!plan_.diagonals || plan_.layout.length < 2) return;
+    edges(left, right, 1, plan_.diagonal_steps, plan_.diagonal_step);
+    edges(right, left, 1, plan_.diagonal_steps, plan_.diagonal_step);
   }
 
  private:
-  std::size_t start(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(plan_.width); }
+  std::size_t row(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(plan_.layout.pitch); }
 
-  void between_rows(int lower, int upper, EdgeClass edges) const {
-    const int width = plan_.width;
+  void between_rows(int lower, int upper, const SlideTile& tile, EdgeClass edges) const {
+    const std::size_t a = plan_.layout.at(tile.block, 0, lower);
+    const std::size_t b = plan_.layout.at(tile.block, 0, upper);
+    const int columns = plan_.layout.columns_of(tile.block);
     if (edges == along_even || edges == along_odd) {
-      run(start(lower), start(upper), width, plan_.steps, plan_.step);
+      run(a, b, columns, plan_.steps, plan_.step);
       return;
     }
-    if (width == 1) return;
-    const bool rising = edges == rising_even || edges == rising_odd;
-    run(start(lower) + (rising ? 0 : 1), start(upper) + (rising ? 1 : 0), width - 1, plan_.diagonal_steps,
-        plan_.diagonal_step);
-    if (plan_.open) return;
-    const std::size_t last = static_cast<std::size_t>(width) - 1;
-    run(start(lower) + (rising ? last : 0), start(upper) + (rising ? 0 : last), 1, plan_.diagonal_steps,
-        plan_.diagonal_step);
+    const std::size_t rising = edges == rising_even || edges == rising_odd ? 1 : 0;
+    run(a + 1 - rising, b + rising, columns - 1, plan_.diagonal_steps, plan_.diagonal_step);
   }
 
   /// Edges between cells a, a + 1, ... and b, b + 1, ...
@@ -750,10 +779,10 @@ class Slider {
     }
   }
 
-  /// Edges within a row: cells (0, 1), (2, 3) ... or (1, 2), (3, 4) ... and, on a torus, the one that closes it.
-  void across(int y, int first) const {
-    const int pairs = (plan_.width - first) / 2;
-    const std::size_t at = start(y) + static_cast<std::size_t>(first);
+  /// Edges within a row of a tile: its cells (0, 1), (2, 3) ... or (1, 2), (3, 4) ...
+  void across(int y, const SlideTile& tile, int first) const {
+    const int pairs = (plan_.layout.columns_of(tile.block) - first) / 2;
+    const std::size_t at = plan_.layout.at(tile.block, first, y);
     if (plan_.bedrock && plan_.steps) {
       slide_pairs<Lane, true, true>(plan_.heights + at, plan_.bedrock + at, plan_.steps + at, plan_.step, pairs);
     } else if (plan_.bedrock) {
@@ -762,9 +791,6 @@ class Slider {
       slide_pairs<Lane, false, true>(plan_.heights + at, nullptr, plan_.steps + at, plan_.step, pairs);
     } else {
       slide_pairs<Lane, false, false>(plan_.heights + at, nullptr, nullptr, plan_.step, pairs);
-    }
-    if (first == 1 && !plan_.open && plan_.width > 2) {
-      run(start(y) + static_cast<std::size_t>(plan_.width) - 1, start(y), 1, plan_.steps, plan_.step);
     }
   }
 
@@ -782,13 +808,18 @@ void carry(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
 }
 
 template <typename Lane>
-void slide_band(const SlidePlan<Lane>& plan, int first_row, int end_row) {
-  Slider<Lane>(plan).band(first_row, end_row);
+void slide_tile(const SlidePlan<Lane>& plan, const SlideTile& tile) {
+  Slider<Lane>(plan).tile(tile);
 }
 
 template <typename Lane>
-void slide_seam(const SlidePlan<Lane>& plan, int lower_row, int upper_row) {
-  Slider<Lane>(plan).seam(lower_row, upper_row);
+void slide_row_seam(const SlidePlan<Lane>& plan, const SlideTile& below) {
+  Slider<Lane>(plan).row_seam(below);
+}
+
+template <typename Lane>
+void slide_column_seam(const SlidePlan<Lane>& plan, int left, int right) {
+  Slider<Lane>(plan).column_seam(left, right);
 }
 
 #undef ERG_EACH
@@ -797,10 +828,11 @@ void slide_seam(const SlidePlan<Lane>& plan, int lower_row, int upper_row) {
 
 extern const SweepKernels<std::uint8_t> narrow_kernels;
 extern const SweepKernels<std::uint16_t> wide_kernels;
-const SweepKernels<std::uint8_t> narrow_kernels{convey<std::uint8_t>, carry<std::uint8_t>, slide_band<std::uint8_t>,
-                                                slide_seam<std::uint8_t>};
-const SweepKernels<std::uint16_t> wide_kernels{convey<std::uint16_t>, carry<std::uint16_t>, slide_band<std::uint16_t>,
-                                               slide_seam<std::uint16_t>};
+template <typename Lane>
+constexpr SweepKernels<Lane> all_kernels{convey<Lane>, carry<Lane>, slide_tile<Lane>, slide_row_seam<Lane>,
+                                         slide_column_seam<Lane>};
+const SweepKernels<std::uint8_t> narrow_kernels = all_kernels<std::uint8_t>;
+const SweepKernels<std::uint16_t> wide_kernels = all_kernels<std::uint16_t>;
 
 }  // namespace ERG_KERNELS
 }  // namespace erg
