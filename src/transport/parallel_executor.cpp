@@ -13,8 +13,6 @@
 namespace erg {
 namespace {
 
-/// Highest cell over the lowest bedrock that 16-bit lanes hold with room for what may land in one sub-sweep.
-constexpr int highest_wide = 40000;
 /// Forced erosion gives up after this many rounds of K sub-sweeps without a lift.
 constexpr int idle_rounds = 4;
 
@@ -116,24 +114,17 @@ void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   frame_ = frame;
   layout_ = plane_layout(frame.width, frame.length);
   open_ = terrain.boundary() == Boundary::open;
-  const auto [low, high] = std::minmax_element(bedrock.begin(), bedrock.end());
-  base_ = *low;
-  relief_ = *low != *high;
-  std::int64_t highest = 0;
+  base_ = check_height(terrain);
+  relief_ = false;
+  highest_ = 0;
   bedrock_total_ = 0;
   mobile_total_ = 0;
   for (std::size_t cell = 0; cell < mobile.size(); ++cell) {
-    highest = std::max<std::int64_t>(highest, static_cast<std::int64_t>(bedrock[cell]) + mobile[cell] - base_);
+    relief_ = relief_ || bedrock[cell] != base_;
+    highest_ = std::max(highest_, bedrock[cell] - base_ + mobile[cell]);
     bedrock_total_ += bedrock[cell];
     mobile_total_ += mobile[cell];
   }
-  if (highest > highest_wide) {
-    throw InputError(
-        "executor cpu",
-        "the terrain is " + std::to_string(highest) + " slabs high, more than " + std::to_string(highest_wide),
-        "use a larger slab height or --executor serial");
-  }
-  highest_ = static_cast<int>(highest);
   narrow_ = narrow_fits(highest_);
   if (narrow_) {
     load_heights<std::uint8_t>(terrain);
