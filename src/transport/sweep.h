@@ -16,7 +16,7 @@
 namespace erg {
 
 /// Lines that one strip holds at most; its scratch rows have this stride.
-inline constexpr int strip_lines = 256;
+inline constexpr int strip_lines = 512;
 /// Rows of a tile: slides inside tiles come first, then the seams between them.
 inline constexpr int tile_rows = 32;
 /// Slabs landing at one place that 8-bit lanes can count; more makes the sub-sweep start again with 16-bit lanes.

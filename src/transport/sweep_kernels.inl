@@ -32,6 +32,7 @@ struct Row {
   alignas(64) Lane leaving[strip_lines];
   alignas(64) std::uint8_t cover[strip_lines];
   alignas(64) Lane next_bedrock[strip_lines];
+  alignas(64) std::uint32_t landing_words[strip_lines / 4];
 };
 
 /// Sums of per-lane counts, flushed before they can overflow.
@@ -268,19 +269,37 @@ class Conveyor {
     ERG_EACH(i, lanes_) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
   }
 
+  /// Random bytes for all lanes, of a fresh draw.
   void fill_random(Lane* lanes, std::uint32_t key) const {
     const std::uint32_t first = static_cast<std::uint32_t>(strip_.first) / 4;
-    const int quads = lanes_ / 4;
+    std::uint32_t words[strip_lines / 4];
+    ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
+    spread(words, lanes);
+  }
+
+  /// The same for the draws of the first landing, from whose words further ones follow.
+  void fill_landing_random() {
+    const std::uint32_t first = static_cast<std::uint32_t>(strip_.first) / 4;
+    const std::uint32_t key = draw_key(row_word_, Draw::first_landing);
+    std::uint32_t* __restrict words = row_.landing_words;
+    ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
+    spread(words, row_.random);
+  }
+
+  template <Draw draw>
+  void fill_next_random() {
+    std::uint32_t words[strip_lines / 4];
+    const std::uint32_t* __restrict landing_words = row_.landing_words;
+    ERG_EACH(q, lanes_ / 4) words[q] = next_word(landing_words[q], draw);
+    spread(words, row_.random);
+  }
+
+  /// Cuts words into bytes, one for each lane (little-endian).
+  void spread(const std::uint32_t* words, Lane* lanes) const {
     if constexpr (sizeof(Lane) == 1) {
-      ERG_EACH(q, quads) {
-        const std::uint32_t word = quad_word(key, first + static_cast<std::uint32_t>(q));
-        __builtin_memcpy(lanes + 4 * q, &word, 4);
-      }
+      std::memcpy(lanes, words, static_cast<std::size_t>(lanes_));
     } else {
-      for (int q = 0; q < quads; ++q) {
-        const std::uint32_t word = quad_word(key, first + static_cast<std::uint32_t>(q));
-        for (int k = 0; k < 4; ++k) lanes[4 * q + k] = static_cast<Lane>(word >> (8 * k) & 0xff);
-      }
+      for (int i = 0; i < lanes_; ++i) lanes[i] = static_cast<Lane>(words[i / 4] >> (8 * (i % 4)) & 0xff);
     }
   }
 
@@ -291,7 +310,7 @@ class Conveyor {
   void decide(std::int64_t flown, Lane row_in_block) {
     Lane* arrivals = strip_.ring + ring_start(flown);
     judge_ground();
-    fill_random(row_.random, draw_key(row_word_, Draw::first_landing));
+    fill_landing_random();
     const Lane most = lift_and_land(arrivals, row_in_block);
     if (sizeof(Lane) == 1 && most > narrow_arrivals) {
       strip_.counts.crowded = true;
@@ -385,7 +404,7 @@ class Conveyor {
 
   /// The second slab that comes down at a lane: common enough that branches on it would not be foreseen.
   void land_second(const Lane* __restrict arrivals) {
-    fill_random(row_.random, draw_key(row_word_, static_cast<std::uint32_t>(Draw::first_landing) + 1));
+    fill_next_random<Draw::second_landing>();
     const Lane* __restrict random = row_.random;
     const Lane* __restrict threshold = row_.threshold;
     const Lane* __restrict sure = row_.sure;
@@ -467,7 +486,7 @@ class Conveyor {
       expect(flown + near_rows);
       return;
     }
-    fill_random(row_.random, draw_key(row_word_, Draw::hop));
+    fill_next_random<Draw::hop>();
     const Lane* __restrict random = row_.random;
     Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
     typename LaneSums<Lane>::Wide* __restrict far_sum = sums_.far_hops;
@@ -485,7 +504,7 @@ class Conveyor {
   }
 
   void launch_by_height(std::int64_t flown) {
-    fill_random(row_.random, draw_key(row_word_, Draw::hop));
+    fill_next_random<Draw::hop>();
     std::uint32_t longest = 0;
     std::uint32_t fullest = 0;
     std::int64_t rows_flown = 0;
