@@ -3,9 +3,9 @@
 // a time, on any number of threads with the same bits.
 //
 // A sub-sweep has four phases, with a barrier after each: *convey* (each thread follows its strips of lines down the
-// wind), *carry* (slabs still in the air go on over the torus edge), *slide* (row bands), *seams* (between bands). It
-// is deterministic because decisions read only the frozen plane and keyed random numbers, lines never share a cell, and
-// the edges of one class of slides are disjoint.
+// wind), *carry* (slabs still in the air go on over the torus edge), *slide* (tiles, then the seams between their
+// rows), *seams* (between blocks of columns). It is deterministic because decisions read only the frozen plane and
+// keyed random numbers, lines never share a cell, and the edges of one class of slides are disjoint.
 #pragma once
 
 #include <utility>

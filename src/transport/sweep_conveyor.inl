@@ -93,8 +93,7 @@ class Conveyor {
   static constexpr int lanes_per_word = 8 / static_cast<int>(sizeof(Lane));
   static constexpr int lane_bits = 8 * static_cast<int>(sizeof(Lane));
 
-  // --- lines and rows
-  // -------------------------------------------------------------------------------------------------
+  // --- lines and rows ---
 
   /// Reads the frozen surface. `flown` is the row counted on over the torus edge: it keys the random numbers.
   void read_row(int y, std::int64_t flown) {
@@ -138,8 +137,7 @@ class Conveyor {
     if (most_landed_ > strip_.counts.most_carried) strip_.counts.most_carried = most_landed_;
   }
 
-  // --- shadow
-  // ---------------------------------------------------------------------------------------------------------
+  // --- shadow ---
 
   void warm_up() {
     walk_.start(-static_cast<std::int64_t>(plan_.warm_up));
@@ -180,8 +178,7 @@ class Conveyor {
     }
   }
 
-  // --- polls
-  // ----------------------------------------------------------------------------------------------------------
+  // --- polls ---
 
   /// Each line is polled in at most one row of each block (engine: K / 2 rows with probability 1/2, or a permutation of
   /// K rows over K sub-sweeps).
@@ -236,8 +233,7 @@ class Conveyor {
     }
   }
 
-  // --- lifting and landing
-  // --------------------------------------------------------------------------------------------
+  // --- lifting and landing ---
 
   /// Everything that happens in one row: which slabs lift, which stay, and where the others come down next.
   void decide(std::int64_t flown, Lane row_in_block) {
@@ -396,8 +392,7 @@ class Conveyor {
     return mask;
   }
 
-  // --- flight
-  // ---------------------------------------------------------------------------------------------------------
+  // --- flight ---
 
   /// Sends the slabs that leave this row to the row where they come down next.
   void launch(std::int64_t flown) {
@@ -498,8 +493,7 @@ class Conveyor {
     if (static_cast<std::uint32_t>(landed) > most_landed_) most_landed_ = static_cast<std::uint32_t>(landed);
   }
 
-  // --- open edges
-  // -----------------------------------------------------------------------------------------------------
+  // --- open edges ---
 
   /// Lines that enter the grid at this row: what flew in them has left on the other side, and new slabs come in.
   void cross_open_edges(int y) {
@@ -551,8 +545,7 @@ class Conveyor {
     strip_.last_arrival = -1;
   }
 
-  // --- counts
-  // ---------------------------------------------------------------------------------------------------------
+  // --- counts ---
 
   void flush_sums() {
     std::int64_t near = 0;

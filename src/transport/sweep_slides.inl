@@ -1,7 +1,6 @@
 // Part of sweep_kernels.inl: slopes that are too steep slide, edge by edge. Edges of one class share no cell, so their
 // order does not matter; the classes come in an order drawn anew each sub-sweep, which removes any bias in direction.
 
-// -----------------------------------------------------------------------------------------------------------
 
 /// One slab down each edge between lanes of two rows that is steeper than what stands.
 template <typename Lane, bool relief, bool varied>
