@@ -16,7 +16,7 @@ namespace {
 
 constexpr int growing_steps = 300;       // enough for dunes to stand
 constexpr int hashed_steps = 2;          // also warms caches up
-constexpr int repeats = 5;               // the best of them counts
+constexpr int repeats = 8;               // the best of them counts
 constexpr double repeat_seconds = 0.15;  // short, so that executors share the machine's good and bad moments
 constexpr double oblique_turn = -30;     // degrees from the straight wind
 constexpr std::uint64_t bench_seed = 1;
@@ -108,22 +108,32 @@ CoverField scattered_cover(Extent extent) {
   return cover;
 }
 
-/// Serial first, then the given ones, in turns.
-std::vector<BenchRow> compare(const std::string& model, const Scene& scene,
-                              const std::vector<ExecutorOptions>& executors) {
-  std::fprintf(stderr, "bench: measuring %s, %s\n", model.c_str(), scene.name.c_str());
-  std::vector<std::unique_ptr<Contestant>> contestants;
-  contestants.push_back(std::make_unique<Contestant>(scene, ExecutorOptions{.name = "serial", .threads = 1}));
-  for (const ExecutorOptions& options : executors) contestants.push_back(std::make_unique<Contestant>(scene, options));
+using Contest = std::vector<std::unique_ptr<Contestant>>;
 
-  for (const auto& contestant : contestants) contestant->run_hashed_steps();
+/// On one scene: serial first, then the given executors.
+void enter(Contest& contest, const Scene& scene, const std::vector<ExecutorOptions>& executors) {
+  contest.push_back(std::make_unique<Contestant>(scene, ExecutorOptions{.name = "serial", .threads = 1}));
+  for (const ExecutorOptions& options : executors) contest.push_back(std::make_unique<Contestant>(scene, options));
+}
+
+/// Measures all in turns, so that each has its share of the machine's good moments, and sets each beside its
+/// references.
+std::vector<BenchRow> measure_in_turns(const std::string& model, const Contest& contest) {
+  std::fprintf(stderr, "bench: measuring %s\n", model.c_str());
+  for (const auto& contestant : contest) contestant->run_hashed_steps();
   for (int i = 0; i < repeats; ++i) {
-    for (const auto& contestant : contestants) contestant->run_repeat();
+    for (const auto& contestant : contest) contestant->run_repeat();
   }
   std::vector<BenchRow> rows;
-  for (const auto& contestant : contestants) {
-    rows.push_back(contestant->row(model));
-    rows.back().serial_polls_per_second = rows.front().polls_per_second;
+  for (const auto& contestant : contest) rows.push_back(contestant->row(model));
+  double serial = 0;
+  for (BenchRow& row : rows) {
+    if (row.sweeps == 0) serial = row.polls_per_second;
+    row.serial_polls_per_second = serial;
+    for (const BenchRow& plain : rows) {
+      const bool same_executor = plain.sweeps == row.sweeps && plain.threads == row.threads;
+      if (plain.scene == rows.front().scene && same_executor) row.plain_polls_per_second = plain.polls_per_second;
+    }
   }
   return rows;
 }
@@ -140,25 +150,24 @@ std::vector<BenchRow> bench_model(const std::string& model, const BenchOptions& 
     on_all_threads.push_back(cpu_options(threads, k));
   }
 
-  std::vector<BenchRow> rows;
-  const auto add = [&](const Scene& scene, const std::vector<ExecutorOptions>& executors) {
-    for (BenchRow& row : compare(model, scene, executors)) rows.push_back(std::move(row));
-  };
-  Scene dunes = grow(model, "flat", options);
-  add(dunes, all);
+  const Scene dunes = grow(model, "flat", options);
   Scene oblique = dunes;
   oblique.name = "oblique wind";
   oblique.wind.bearing = std::fmod(oblique.wind.bearing + oblique_turn + 360, 360);
-  add(oblique, on_all_threads);
   const CoverField cover = scattered_cover(dunes.terrain.extent());
-  dunes.name = "cover";
-  dunes.law.cover = &cover;
-  dunes.law.cover_revision = 1;
-  add(dunes, on_all_threads);
+  Scene covered = dunes;
+  covered.name = "cover";
+  covered.law.cover = &cover;
+  covered.law.cover_revision = 1;
   Scene rocks = grow(model, "rocks", options);
   rocks.name = "obstacles";
-  add(rocks, on_all_threads);
-  return rows;
+
+  Contest contest;
+  enter(contest, dunes, all);
+  enter(contest, oblique, on_all_threads);
+  enter(contest, covered, on_all_threads);
+  enter(contest, rocks, on_all_threads);
+  return measure_in_turns(model, contest);
 }
 
 }  // namespace

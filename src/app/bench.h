@@ -27,6 +27,7 @@ struct BenchRow {
   int sweeps = 0;  ///< 0 for serial, which has none
   double polls_per_second = 0;
   double serial_polls_per_second = 0;  ///< the reference on the same scene, measured between the same repeats
+  double plain_polls_per_second = 0;   ///< the same executor on plain dunes under the straight wind
   std::uint64_t hash = 0;              ///< of the terrain after the same few steps in every row of a scene
 };
 
