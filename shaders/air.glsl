@@ -20,10 +20,10 @@ vec3 sky_colour() { return snowy ? vec3(0.50, 0.68, 1.0) : vec3(0.55, 0.70, 1.0)
 // The sky in a direction: blue above, pale at the horizon, warm around the sun.
 vec3 sky(vec3 direction) {
   float height = max(direction.z, 0.0);
-  vec3 zenith = vec3(0.10, 0.24, 0.52);
-  vec3 middle = vec3(0.33, 0.53, 0.80);
-  vec3 rim = snowy ? vec3(0.76, 0.84, 0.94) : vec3(0.84, 0.81, 0.76);
-  vec3 colour = mix(rim, middle, 1.0 - exp(-height * 7.0));
+  vec3 zenith = vec3(0.08, 0.21, 0.50);
+  vec3 middle = vec3(0.27, 0.47, 0.76);
+  vec3 rim = snowy ? vec3(0.76, 0.84, 0.94) : vec3(0.86, 0.80, 0.71);
+  vec3 colour = mix(rim, middle, 1.0 - exp(-height * 8.0));
   colour = mix(colour, zenith, 1.0 - exp(-height * 1.6));
   float near_sun = max(dot(direction, to_sun), 0.0);
   colour += sun_colour() * (0.22 * pow(near_sun, 10.0) + 0.35 * pow(near_sun, 160.0));
@@ -35,14 +35,14 @@ vec3 through_air(vec3 colour, vec3 point) {
   if (haze_depth <= 0.0) return colour;
   vec3 away = point - eye;
   float path = length(away) / haze_depth;
-  float left = exp(-path * path);
+  float left = exp(-path * path * path);
   vec3 direction = away / max(length(away), 1e-6);
-  return mix(sky(normalize(vec3(direction.xy, 0.015))), colour, left);
+  return mix(sky(vec3(normalize(direction.xy), 0.0)), colour, left);
 }
 
 // Rolls bright colours off softly.
 vec3 film(vec3 colour) {
-  colour *= 0.95;
+  colour *= 1.18;
   vec3 over = max(colour - 0.6, 0.0);
   return min(colour, 0.6) + 0.4 * (1.0 - exp(-over / 0.4));
 }

@@ -4,7 +4,7 @@
 #include "cells.glsl"
 out vec4 plane;  // height at the cell (m), slope to the east and north (m a cell), mean square of the misfit (m^2)
 
-const int reach = 3;
+uniform int reach;  // cells: radius of the plane
 
 void main() {
   ivec2 home = ivec2(gl_FragCoord.xy);

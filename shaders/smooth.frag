@@ -3,13 +3,12 @@
 // agree with what lies here. Planes that straddle a brink fit nothing, so the brink stays where it is, and sharp.
 #include "cells.glsl"
 uniform sampler2D planes;
-uniform int detail;     // texels of the target for the side of a cell
-uniform float quantum;  // m: the height of one slab
-uniform float side;     // m: the side of a cell
-out vec2 surface;       // height and thickness of the mobile layer, m
-
-const int reach = 3;
-const float spread = 1.5;  // cells: how far a plane counts
+uniform int detail;       // texels of the target for the side of a cell
+uniform int reach;        // cells: how far planes are asked
+uniform float spread;     // cells: how far they count
+uniform float noise;      // m: misfit of a plane that fits
+uniform float tolerance;  // m: how far a plane may be from what lies here
+out vec2 surface;         // height and thickness of the mobile layer, m
 
 vec4 plane(ivec2 place) {
   place = periodic ? place - extent * ivec2(floor(vec2(place) / vec2(extent))) : clamp(place, ivec2(0), extent - 1);
@@ -34,24 +33,21 @@ void main() {
   vec2 point = gl_FragCoord.xy / float(detail) - 0.5;  // in cells, 0 at the centre of the first
   ivec2 home = ivec2(floor(point + 0.5));
   vec2 guess = guess_at(point);
-  float noise = pow(max(0.4 * quantum, 0.01 * side), 2.0);
-  float tolerance = pow(max(0.8 * quantum, 0.05 * side), 2.0);
-  float weights = 1e-6, height = 1e-6 * guess.r, sands = 0.0, sand = 0.0;
+  float weights = 1e-6, height = 1e-6 * guess.r;
   for (int y = -reach; y <= reach; ++y) {
     for (int x = -reach; x <= reach; ++x) {
+      if (x * x + y * y > reach * reach) continue;
       ivec2 place = home + ivec2(x, y);
       vec4 there = plane(place);
       vec2 away = point - vec2(place);
       float value = there.x + dot(there.yz, away);
-      float fit = noise / (noise + there.w);
+      float fit = noise * noise / (noise * noise + there.w);
       float near = exp(-dot(away, away) / (2.0 * spread * spread));
       float wrong = value - guess.r;
-      float weight = near * fit * fit * fit * fit * exp(-wrong * wrong / (2.0 * tolerance));
+      float weight = near * fit * fit * fit * fit * exp(-wrong * wrong / (2.0 * tolerance * tolerance));
       weights += weight;
       height += weight * value;
-      sands += near * near;
-      sand += near * near * cell(place).g;
     }
   }
-  surface = vec2(height / weights, sand / sands);
+  surface = vec2(height / weights, guess.g);
 }

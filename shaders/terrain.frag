@@ -70,8 +70,8 @@ vec2 grain_slope(vec2 place, float pixel) {
 vec3 sand_colour(vec2 place) {
   float large = rough_noise(place / (37.0 * cell_side));
   float small = rough_noise(place / (5.0 * cell_side) + 7.7);
-  vec3 pale = vec3(0.680, 0.440, 0.235);
-  vec3 deep = vec3(0.585, 0.340, 0.150);
+  vec3 pale = vec3(0.790, 0.500, 0.250);
+  vec3 deep = vec3(0.690, 0.385, 0.160);
   return mix(pale, deep, clamp(0.75 * large + 0.35 * small - 0.1, 0.0, 1.0));
 }
 
@@ -80,8 +80,8 @@ vec3 bare_colour(vec2 place, float pixel, out float bumps) {
   float seen = 1.0 - smoothstep(0.2, 1.0, pixel / cell_side);
   float stones = smoothstep(0.62, 0.74, noise(place / (0.35 * cell_side)));
   bumps = seen * (gravel - 0.5);
-  vec3 pavement = mix(vec3(0.30, 0.215, 0.145), vec3(0.42, 0.31, 0.21), gravel);
-  return mix(pavement, vec3(0.20, 0.16, 0.13), 0.35 * stones * seen);
+  vec3 pavement = mix(vec3(0.43, 0.305, 0.190), vec3(0.54, 0.395, 0.255), gravel);
+  return mix(pavement, vec3(0.22, 0.17, 0.13), 0.3 * stones * seen);
 }
 
 vec3 rock_colour(vec3 place) {

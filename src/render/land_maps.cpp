@@ -160,18 +160,31 @@ void LandMaps::compute_surface(const RenderLimits& limits) {
     return;
   }
   const int detail = 2 * std::max(cells.nx, cells.ny) <= std::min(limits.largest_map, largest_texture()) ? 2 : 1;
-  planes_.prepare(cells, GL_RGBA32F, periodic_);
-  planes_program_.use();
-  planes_program_.set_texture("cells", 0, cells_.id());
-  run_pass(planes_program_, planes_);
+  // Twice: first the single slabs go, then, on what is left, the bumps of a few cells that they made.
+  first_surface_.prepare(cells, GL_RG32F, periodic_);
+  smooth_into(first_surface_, 1, cells_.id(),
+              {.plane_reach = 3, .reach = 3, .spread = 1.5, .noise = 0.4, .tolerance = 0.8});
   surface_.prepare({cells.nx * detail, cells.ny * detail}, GL_RG32F, periodic_);
+  smooth_into(surface_, detail, first_surface_.id(),
+              {.plane_reach = 5, .reach = 4, .spread = 2.2, .noise = 0.12, .tolerance = 0.3});
+}
+
+void LandMaps::smooth_into(const MapTarget& target, int detail, GLuint cells, const Smoothing& smoothing) {
+  planes_.prepare(cells_.extent(), GL_RGBA32F, periodic_);
+  planes_program_.use();
+  planes_program_.set("reach", smoothing.plane_reach);
+  planes_program_.set_texture("cells", 0, cells);
+  run_pass(planes_program_, planes_);
   smooth_program_.use();
   smooth_program_.set("detail", detail);
-  smooth_program_.set("quantum", quantum_);
-  smooth_program_.set("side", cell_side_);
+  smooth_program_.set("reach", smoothing.reach);
+  smooth_program_.set("spread", smoothing.spread);
+  // Where slabs are thin there is little to smooth away; the ground itself is not smoother than a share of a cell.
+  smooth_program_.set("noise", std::max(smoothing.noise * quantum_, 0.005 * cell_side_));
+  smooth_program_.set("tolerance", std::max(smoothing.tolerance * quantum_, 0.03 * cell_side_));
   smooth_program_.set_texture("planes", 1, planes_.id());
-  smooth_program_.set_texture("cells", 0, cells_.id());
-  run_pass(smooth_program_, surface_);
+  smooth_program_.set_texture("cells", 0, cells);
+  run_pass(smooth_program_, target);
 }
 
 void LandMaps::compute_light(const Look& look, const TerrainView& view) {

@@ -47,6 +47,13 @@ class LandMaps {
   void read_terrain(const Terrain& terrain, int block);
   bool update_values(TiledTexture& texture, const Field& field, int block, const char* role,
                      std::vector<std::string>& notes);
+  // One smoothing: the radius of the planes, how far they are asked and count (cells), and the misfit and distance that
+  // they may have (slabs).
+  struct Smoothing {
+    int plane_reach, reach;
+    double spread, noise, tolerance;
+  };
+  void smooth_into(const MapTarget& target, int detail, GLuint cells, const Smoothing& smoothing);
   void compute_surface(const RenderLimits& limits);
   void compute_light(const Look& look, const TerrainView& view);
   void run_pass(const ShaderProgram& program, const MapTarget& target) const;
@@ -61,6 +68,7 @@ class LandMaps {
   TiledTexture field_{1};
   TiledTexture plants_{1};
   MapTarget planes_;
+  MapTarget first_surface_;
   MapTarget surface_;
   MapTarget light_;
 
