@@ -22,9 +22,9 @@ vec3 sky(vec3 direction) {
   float height = max(direction.z, 0.0);
   vec3 zenith = vec3(0.08, 0.21, 0.50);
   vec3 middle = vec3(0.27, 0.47, 0.76);
-  vec3 rim = snowy ? vec3(0.76, 0.84, 0.94) : vec3(0.86, 0.80, 0.71);
-  vec3 colour = mix(rim, middle, 1.0 - exp(-height * 8.0));
-  colour = mix(colour, zenith, 1.0 - exp(-height * 1.6));
+  vec3 rim = snowy ? vec3(0.76, 0.84, 0.94) : vec3(0.80, 0.75, 0.67);
+  vec3 colour = mix(rim, middle, 1.0 - exp(-height * 13.0));
+  colour = mix(colour, zenith, 1.0 - exp(-height * 2.2));
   float near_sun = max(dot(direction, to_sun), 0.0);
   colour += sun_colour() * (0.22 * pow(near_sun, 10.0) + 0.35 * pow(near_sun, 160.0));
   return colour;

@@ -49,5 +49,7 @@ void main() {
       height += weight * value;
     }
   }
-  surface = vec2(height / weights, guess.g);
+  height /= weights;
+  // The layer ends where the smooth surface meets the bedrock, not in the teeth of single cells.
+  surface = vec2(height, clamp(height - (guess.r - guess.g), 0.0, 2.0 * guess.g));
 }

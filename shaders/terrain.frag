@@ -53,9 +53,9 @@ float ripple_slope(vec2 place, float strength) {
   vec2 own = vec2(dot(place, along), dot(place, aside)) / length_m;
   float wander = 1.7 * noise(own * vec2(0.09, 0.035)) + 0.55 * noise(own * vec2(0.35, 0.11) + 9.7);
   float phase = own.x + 2.0 * wander;
-  float seen = 1.0 - smoothstep(0.22, 0.6, length(vec2(dFdx(phase), dFdy(phase))));
+  float seen = 1.0 - smoothstep(0.13, 0.38, length(vec2(dFdx(phase), dFdy(phase))));
   float t = 6.2831853 * phase;
-  return strength * seen * (0.5 + 0.5 * noise(own * 0.05 + 3.1)) * (cos(t) + 0.35 * cos(2.0 * t + 0.9));
+  return strength * seen * (0.7 + 0.3 * noise(own * 0.05 + 3.1)) * (cos(t) + 0.35 * cos(2.0 * t + 0.9));
 }
 
 // How large a pixel is on the ground, m.
@@ -75,19 +75,25 @@ vec3 sand_colour(vec2 place) {
   return mix(pale, deep, clamp(0.75 * large + 0.35 * small - 0.1, 0.0, 1.0));
 }
 
+// Desert pavement: grit with scattered stones.
 vec3 bare_colour(vec2 place, float pixel, out float bumps) {
-  float gravel = rough_noise(place / (1.3 * cell_side));
-  float seen = 1.0 - smoothstep(0.2, 1.0, pixel / cell_side);
-  float stones = smoothstep(0.62, 0.74, noise(place / (0.35 * cell_side)));
-  bumps = seen * (gravel - 0.5);
-  vec3 pavement = mix(vec3(0.43, 0.305, 0.190), vec3(0.54, 0.395, 0.255), gravel);
-  return mix(pavement, vec3(0.22, 0.17, 0.13), 0.3 * stones * seen);
+  float patches = rough_noise(place / (14.0 * cell_side));
+  float grit = rough_noise(place / (0.5 * cell_side));
+  float seen = 1.0 - smoothstep(0.04, 0.30, pixel / cell_side);
+  vec2 spot = place / (0.30 * cell_side);
+  vec2 home = floor(spot);
+  vec2 centre = 0.3 + 0.4 * vec2(hash(home), hash(home + 9.0));
+  float size = 0.05 + 0.22 * pow(hash(home + 3.0), 4.0);
+  float stone = seen * (1.0 - smoothstep(0.6 * size, size, length(spot - home - centre)));
+  bumps = seen * (grit - 0.5) + 0.8 * stone;
+  vec3 pavement = mix(vec3(0.43, 0.300, 0.185), vec3(0.55, 0.400, 0.255), 0.7 * patches + 0.3 * mix(0.5, grit, seen));
+  return mix(pavement, vec3(0.24, 0.185, 0.14), 0.75 * stone);
 }
 
 vec3 rock_colour(vec3 place) {
   float strata = noise(vec2(place.z * 2.2 / cell_side + 2.0 * rough_noise(place.xy / (9.0 * cell_side)), 3.0));
   float blotch = rough_noise(place.xy / (4.0 * cell_side));
-  return mix(vec3(0.105, 0.085, 0.072), vec3(0.235, 0.180, 0.140), 0.55 * strata + 0.45 * blotch);
+  return mix(vec3(0.135, 0.100, 0.075), vec3(0.275, 0.205, 0.150), 0.55 * strata + 0.45 * blotch);
 }
 
 Ground ground_at(vec2 place, vec4 seen) {

@@ -82,7 +82,7 @@ PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view)
   check_look(plan.look, view);
   const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
   plan.camera = find_camera(request.camera, Renderer::land_of(view, plan.look), aspect);
-  constexpr int to_the_horizon = 3;
+  constexpr int to_the_horizon = 6;
   const bool horizon = plan.look.is_material() && !plan.camera.orthographic && !plan.look.transparent;
   plan.look.copies = request.copies >= 0 ? request.copies : horizon ? to_the_horizon : 0;
   return plan;

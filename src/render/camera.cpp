@@ -57,8 +57,8 @@ Camera camera_preset(std::string_view name, const LandBox& land, double aspect) 
     camera.distance = std::max(camera.distance, land.high - land.low);
   } else if (name == "oblique") {
     camera.bearing = 160;
-    camera.altitude = 14;
-    camera.opening = 34;
+    camera.altitude = 13;
+    camera.opening = 36;
     camera.distance = distance_for(std::max(0.75 * land.north, land.east / aspect), 1.3, camera.opening);
   } else if (name == "side") {
     camera.bearing = 180;

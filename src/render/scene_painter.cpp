@@ -34,8 +34,15 @@ bool is_snowy(const PaintRequest& request) {
   return request.look.show == "snow" || (request.look.show == "material" && request.view.cover == Cover::snow);
 }
 
+// Rings of copies: as many as asked for, but no more tiles than can be chosen from at once.
 int copies_of(const PaintRequest& request) {
-  return request.view.terrain->boundary() == Boundary::torus ? request.look.copies : 0;
+  if (request.view.terrain->boundary() != Boundary::torus) return 0;
+  constexpr double most_tiles = 30000;
+  const Extent cells = request.maps.cells();
+  const double tiles = std::ceil(static_cast<double>(cells.nx) / TerrainMesh::tile_cells) *
+                       std::ceil(static_cast<double>(cells.ny) / TerrainMesh::tile_cells);
+  const int most = std::max(1, static_cast<int>((std::sqrt(most_tiles / tiles) - 1) / 2));
+  return std::min(request.look.copies, most);
 }
 
 int value_source(const Look& look) {
@@ -71,7 +78,7 @@ ScenePainter::Air ScenePainter::make_air(const PaintRequest& request) {
                 static_cast<float>(std::cos(turn) * std::cos(rise)), static_cast<float>(std::sin(rise))};
   air.eye = {static_cast<float>(stands.x()), static_cast<float>(stands.y()), static_cast<float>(stands.z())};
   air.backdrop = copies_of(request) == 0 || request.camera.orthographic;
-  air.haze_depth = air.backdrop ? 0 : rim / 1.65;
+  air.haze_depth = air.backdrop ? 0 : rim / 1.5;
   air.snowy = is_snowy(request);
   return air;
 }
