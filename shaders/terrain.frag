@@ -72,14 +72,14 @@ vec3 sand_colour(vec2 place) {
   float small = rough_noise(place / (5.0 * cell_side) + 7.7);
   vec3 pale = vec3(0.790, 0.500, 0.250);
   vec3 deep = vec3(0.690, 0.385, 0.160);
-  return mix(pale, deep, clamp(0.75 * large + 0.35 * small - 0.1, 0.0, 1.0));
+  return mix(pale, deep, mix(0.45, clamp(0.75 * large + 0.35 * small - 0.1, 0.0, 1.0), grain));
 }
 
 // Desert pavement: grit with scattered stones.
 vec3 bare_colour(vec2 place, float pixel, out float bumps) {
-  float patches = rough_noise(place / (14.0 * cell_side));
+  float patches = mix(0.5, rough_noise(place / (14.0 * cell_side)), grain);
   float grit = rough_noise(place / (0.5 * cell_side));
-  float seen = 1.0 - smoothstep(0.04, 0.30, pixel / cell_side);
+  float seen = grain * (1.0 - smoothstep(0.04, 0.30, pixel / cell_side));
   vec2 spot = place / (0.30 * cell_side);
   vec2 home = floor(spot);
   vec2 centre = 0.3 + 0.4 * vec2(hash(home), hash(home + 9.0));
@@ -93,7 +93,7 @@ vec3 bare_colour(vec2 place, float pixel, out float bumps) {
 vec3 rock_colour(vec3 place) {
   float strata = noise(vec2(place.z * 2.2 / cell_side + 2.0 * rough_noise(place.xy / (9.0 * cell_side)), 3.0));
   float blotch = rough_noise(place.xy / (4.0 * cell_side));
-  return mix(vec3(0.135, 0.100, 0.075), vec3(0.275, 0.205, 0.150), 0.55 * strata + 0.45 * blotch);
+  return mix(vec3(0.135, 0.100, 0.075), vec3(0.275, 0.205, 0.150), mix(0.5, 0.55 * strata + 0.45 * blotch, grain));
 }
 
 Ground ground_at(vec2 place, vec4 seen) {
@@ -178,7 +178,7 @@ void main() {
     vec3 normal = raw_cells ? normalize(cross(dFdx(point), dFdy(point))) : normalize(vec3(-slope_at(place), 1.0));
     float relief = dot(normal, to_sun) / max(to_sun.z, 0.15);
     float brightness = shading ? clamp(0.30 + 0.50 * max(relief, 0.0) * (0.35 + 0.65 * sunlit(seen.r)) + 0.25 * seen.g, 0.0, 1.12) : 1.0;
-    vec3 tint = value < missing ? vec3(1.0, 0.0, 0.86) : palette_at((value - range.x) / max(range.y - range.x, 1e-20));
+    vec3 tint = value < missing ? vec3(1.0, 0.0, 0.933) : palette_at((value - range.x) / max(range.y - range.x, 1e-20));
     shown = to_linear(tint) * (value < missing ? 1.0 : brightness);
   }
   if (contour_step > 0.0 && value > missing) shown = mix(shown, vec3(0.02, 0.015, 0.01), 0.7 * contour(value));

@@ -1,7 +1,7 @@
 #include "render/shader_program.h"
 
-#include <cctype>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -13,68 +13,60 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A shader's text with its includes taken in. `#line N K` marks which file (the K-th) a part is from.
+// A shader's text with its includes taken in, and where each of its lines is from. (`#line` would say so to the driver,
+// but Mesa forgets the file in some of its messages.)
 struct Source {
+  struct Line {
+    fs::path file;
+    std::size_t number;
+  };
   std::string text;
-  std::vector<fs::path> files;
+  std::vector<Line> lines;
 };
 
-void append_file(Source& source, const fs::path& path, const fs::path& from, int from_line) {
+void append_file(Source& source, const fs::path& path, const std::string& asked_at) {
   std::ifstream file(path);
   if (!file) {
-    const std::string place = from.empty() ? path.string() : from.string() + ":" + std::to_string(from_line);
-    throw InputError(place, "there is no shader file " + path.string(), "install the program with its shaders/ folder");
+    throw InputError(asked_at, "there is no shader file " + path.string(),
+                     "install the program with its shaders/ folder");
   }
-  const auto number = static_cast<int>(source.files.size());
-  source.files.push_back(path);
-  if (number > 0) source.text += "#line 1 " + std::to_string(number) + "\n";
   std::string line;
-  for (int count = 1; std::getline(file, line); ++count) {
+  for (std::size_t number = 1; std::getline(file, line); ++number) {
     constexpr std::string_view include = "#include \"";
-    if (line.rfind(include, 0) != 0) {
+    if (line.rfind(include, 0) == 0) {
+      const std::string name = line.substr(include.size(), line.rfind('"') - include.size());
+      append_file(source, path.parent_path() / name, path.string() + ":" + std::to_string(number));
+    } else {
       source.text += line + "\n";
-      continue;
+      source.lines.push_back({path, number});
     }
-    const std::string name = line.substr(include.size(), line.rfind('"') - include.size());
-    append_file(source, path.parent_path() / name, path, count);
-    source.text += "#line " + std::to_string(count + 1) + " " + std::to_string(number) + "\n";
   }
 }
 
 // One line of a compiler's log, `0:12(5): error: ...` (Mesa) or `0(12) : error ...` (others), as a mistake.
-Mistake as_mistake(const std::string& line, const Source& source) {
-  std::size_t at = 0;
-  const auto number = [&] {
-    std::size_t value = 0;
-    for (; at < line.size() && std::isdigit(static_cast<unsigned char>(line[at])) != 0; ++at) {
-      value = 10 * value + static_cast<std::size_t>(line[at] - '0');
-    }
-    return value;
-  };
-  const std::size_t file = number();
-  const bool numbered = at > 0 && at + 1 < line.size() && (line[at] == ':' || line[at] == '(');
-  ++at;
-  const std::size_t row = numbered ? number() : 0;
-  if (!numbered || row == 0 || file >= source.files.size()) return {source.files.front().string(), line, ""};
-  const std::size_t text = line.find(':', at);
-  const std::string message = text == std::string::npos ? line : line.substr(line.find_first_not_of(": ", text));
-  return {source.files[file].string() + ":" + std::to_string(row), message, ""};
+Mistake as_mistake(const std::string& line, const Source& source, const fs::path& whole) {
+  static const std::regex form("^\\d+[:(](\\d+)[^:]*:\\s*(.*)$");
+  std::smatch parts;
+  if (!std::regex_match(line, parts, form)) return {whole.string(), line, ""};
+  const std::size_t row = std::stoul(parts[1]);
+  if (row == 0 || row > source.lines.size()) return {whole.string(), line, ""};
+  const Source::Line& from = source.lines[row - 1];
+  return {from.file.string() + ":" + std::to_string(from.number), parts[2], ""};
 }
 
-[[noreturn]] void report(const std::string& log, const Source& source) {
+[[noreturn]] void report(const std::string& log, const Source& source, const fs::path& whole) {
   std::vector<Mistake> mistakes;
   std::istringstream lines(log);
   for (std::string line; std::getline(lines, line);) {
-    if (line.find_first_not_of(" \t\r") != std::string::npos) mistakes.push_back(as_mistake(line, source));
+    if (line.find_first_not_of(" \t\r") != std::string::npos) mistakes.push_back(as_mistake(line, source, whole));
   }
-  if (mistakes.empty())
-    mistakes.push_back({source.files.front().string(), "the driver refused it and says no more", ""});
+  if (mistakes.empty()) mistakes.push_back({whole.string(), "the driver refused it and says no more", ""});
   throw InputError(std::move(mistakes));
 }
 
 GLuint compile(GLenum type, const fs::path& path) {
   Source source;
-  append_file(source, path, {}, 0);
+  append_file(source, path, path.string());
   const GLuint shader = glCreateShader(type);
   const char* const text = source.text.c_str();
   glShaderSource(shader, 1, &text, nullptr);
@@ -87,7 +79,7 @@ GLuint compile(GLenum type, const fs::path& path) {
   glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
   glDeleteShader(shader);
   log.resize(static_cast<std::size_t>(length));
-  report(log, source);
+  report(log, source, path);
 }
 
 }  // namespace
@@ -127,7 +119,7 @@ ShaderProgram::ShaderProgram(const fs::path& folder, const std::string& vertex, 
   glGetProgramInfoLog(id_, static_cast<GLsizei>(log.size()), &length, log.data());
   glDeleteProgram(std::exchange(id_, 0));
   log.resize(static_cast<std::size_t>(length));
-  report(log, {"", {folder / fragment}});
+  report(log, {}, folder / fragment);
 }
 
 ShaderProgram::~ShaderProgram() {
