@@ -158,7 +158,8 @@ float contour(float value) {
   float lines = value / contour_step;
   float width = fwidth(lines);
   float from_line = abs(fract(lines + 0.5) - 0.5) / max(width, 1e-6);
-  return (1.0 - smoothstep(0.5, 1.3, from_line)) * (1.0 - smoothstep(0.25, 0.6, width));
+  float level = smoothstep(0.0005, 0.002, width);  // on level ground a line would be a blot
+  return level * (1.0 - smoothstep(0.5, 1.3, from_line)) * (1.0 - smoothstep(0.25, 0.6, width));
 }
 
 void main() {

@@ -48,9 +48,10 @@ Camera find_camera(const std::string& name, const LandBox& land, double aspect) 
 
 }  // namespace
 
-void add_picture_options(CLI::App& command, PictureRequest& request) {
+void add_picture_options(CLI::App& program, PictureRequest& request) {
+  CLI::Option_group& command = *program.add_option_group("Pictures");
   command.add_option("--size", request.size, "Width and height in pixels")->capture_default_str();
-  command.add_option("--camera", request.camera, "top, oblique, side, or a JSON file")->capture_default_str();
+  command.add_option("--camera", request.camera, "top, oblique, block, side, or a JSON file")->capture_default_str();
   command
       .add_option("--look", request.look.show,
                   "material, sand, snow, elevation, slope, shadow, or a field of the model")
@@ -83,7 +84,8 @@ PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view)
   const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
   plan.camera = find_camera(request.camera, Renderer::land_of(view, plan.look), aspect);
   constexpr int to_the_horizon = 6;
-  const bool horizon = plan.look.is_material() && !plan.camera.orthographic && !plan.look.transparent;
+  const bool horizon =
+      plan.look.is_material() && request.camera != "block" && !plan.camera.orthographic && !plan.look.transparent;
   plan.look.copies = request.copies >= 0 ? request.copies : horizon ? to_the_horizon : 0;
   return plan;
 }

@@ -105,7 +105,7 @@ Camera parse_camera(std::string_view text, const std::string& name) {
 
 Camera read_camera(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path.string(), "no such camera file", "give a JSON file, or top, oblique or side");
+  if (!file) throw InputError(path.string(), "no such camera file", "give a JSON file, or top, oblique, block or side");
   return parse_camera(std::string(std::istreambuf_iterator<char>(file), {}), path.string());
 }
 

@@ -44,7 +44,7 @@ double distance_for(double length, double part, double opening) {
 }  // namespace
 
 const std::vector<std::string>& camera_presets() {
-  static const std::vector<std::string> names{"top", "oblique", "side"};
+  static const std::vector<std::string> names{"top", "oblique", "block", "side"};
   return names;
 }
 
@@ -60,6 +60,11 @@ Camera camera_preset(std::string_view name, const LandBox& land, double aspect) 
     camera.altitude = 13;
     camera.opening = 36;
     camera.distance = distance_for(std::max(0.75 * land.north, land.east / aspect), 1.3, camera.opening);
+  } else if (name == "block") {
+    camera.bearing = 155;
+    camera.altitude = 30;
+    camera.opening = 26;
+    camera.distance = distance_for(std::max(0.9 * land.north, 1.35 * land.east / aspect), 0.9, camera.opening);
   } else if (name == "side") {
     camera.bearing = 180;
     camera.altitude = 8;

@@ -22,7 +22,8 @@ struct LandBox {
   Eigen::Vector3d middle() const { return {0.5 * east, 0.5 * north, 0.5 * (low + high)}; }
 };
 
-/// "top" (orthographic, north up), "oblique", "side".
+/// "top" (orthographic, north up), "oblique" (over the land towards the horizon), "block" (the whole of it from the
+/// south), "side".
 const std::vector<std::string>& camera_presets();
 
 /// The preset of this name for a picture of this shape (width / height). Throws InputError with the nearest name.

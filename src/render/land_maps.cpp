@@ -50,7 +50,8 @@ void LandMaps::update(const TerrainView& view, const Look& look, const RenderLim
   const Terrain& terrain = *view.terrain;
   const int block = block_for(terrain.extent(), std::min(limits.largest_side, largest_texture()));
   const std::vector<double> view_key{static_cast<double>(view.version), static_cast<double>(block)};
-  const bool same = view.version != 0 && view_key == view_key_ && look.show == shown_;
+  const std::string shown = look.show + "/" + look.palette;
+  const bool same = view.version != 0 && view_key == view_key_ && shown == shown_;
   periodic_ = terrain.boundary() == Boundary::torus;
   bool changed = false;
   if (!same) {
@@ -64,7 +65,8 @@ void LandMaps::update(const TerrainView& view, const Look& look, const RenderLim
     const Field* plants = view.find_field(plants_key);
     has_plants_ = plants != nullptr && update_values(plants_, *plants, block, "plants", notes);
     view_key_ = view_key;
-    shown_ = look.show;
+    scale_ = value_scale(look, view);
+    shown_ = shown;
   }
   land_.low *= look.exaggeration / exaggeration_;
   land_.high *= look.exaggeration / exaggeration_;

@@ -33,7 +33,7 @@ class LandMaps {
   double cell_side() const { return cell_side_; }      ///< m
   LandBox land() const { return land_; }               ///< m, exaggerated
   double bedrock_low() const { return bedrock_low_; }  ///< m: the lowest bedrock, not exaggerated
-  bool has_field() const { return has_field_; }
+  const ValueScale& scale() const { return scale_; }   ///< of the values shown
   bool has_plants() const { return has_plants_; }
 
   /// Hands the maps and their sizes to a program in use (the uniforms of surface.glsl and the maps of terrain.frag).
@@ -87,6 +87,7 @@ class LandMaps {
   std::vector<double> surface_key_;
   std::vector<double> view_key_;
   std::string shown_;
+  ValueScale scale_;
 };
 
 }  // namespace erg

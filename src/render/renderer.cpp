@@ -140,7 +140,7 @@ Picture Renderer::draw(const TerrainView& view, const Look& look, const Camera& 
                             size.height * size.supersample);
   picture.triangles = work_->painter.triangles();
   picture.image = shrink(work_->target.read(), size);
-  if (!look.is_material()) picture.scale = value_scale(look, view);
+  if (!look.is_material()) picture.scale = work_->maps.scale();
   if (look.legend && !look.transparent) {
     Overlay overlay{.scale = picture.scale,
                     .contours = look.contours,

@@ -152,7 +152,7 @@ void ScenePainter::paint_land(const PaintRequest& request, const Air& air) {
   program.set("source", value_source(look));
   program.set("has_plants", static_cast<int>(request.maps.has_plants()));
   program.set("bedrock_low", request.maps.bedrock_low() * look.exaggeration);
-  const ValueScale scale = value_scale(look, request.view);
+  const ValueScale& scale = request.maps.scale();
   program.set("range", static_cast<float>(scale.low), static_cast<float>(scale.high));
   std::vector<float> colours;
   for (const Colour& colour : scale.palette.points)
