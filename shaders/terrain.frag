@@ -68,15 +68,20 @@ vec2 grain_slope(vec2 place, float pixel) {
 }
 
 vec3 sand_colour(vec2 place) {
-  float large = rough_noise(place / (37.0 * cell_side));
-  float small = rough_noise(place / (5.0 * cell_side) + 7.7);
   vec3 pale = vec3(0.790, 0.500, 0.250);
   vec3 deep = vec3(0.690, 0.385, 0.160);
+  if (grain <= 0.0) return mix(pale, deep, 0.45);
+  float large = rough_noise(place / (37.0 * cell_side));
+  float small = rough_noise(place / (5.0 * cell_side) + 7.7);
   return mix(pale, deep, mix(0.45, clamp(0.75 * large + 0.35 * small - 0.1, 0.0, 1.0), grain));
 }
 
 // Desert pavement: grit with scattered stones.
 vec3 bare_colour(vec2 place, float pixel, out float bumps) {
+  vec3 fine = vec3(0.43, 0.300, 0.185);
+  vec3 coarse = vec3(0.55, 0.400, 0.255);
+  bumps = 0.0;
+  if (grain <= 0.0) return mix(fine, coarse, 0.5);
   float patches = mix(0.5, rough_noise(place / (14.0 * cell_side)), grain);
   float grit = rough_noise(place / (0.5 * cell_side));
   float seen = grain * (1.0 - smoothstep(0.04, 0.30, pixel / cell_side));
@@ -86,32 +91,40 @@ vec3 bare_colour(vec2 place, float pixel, out float bumps) {
   float size = 0.05 + 0.22 * pow(hash(home + 3.0), 4.0);
   float stone = seen * (1.0 - smoothstep(0.6 * size, size, length(spot - home - centre)));
   bumps = seen * (grit - 0.5) + 0.8 * stone;
-  vec3 pavement = mix(vec3(0.43, 0.300, 0.185), vec3(0.55, 0.400, 0.255), 0.7 * patches + 0.3 * mix(0.5, grit, seen));
+  vec3 pavement = mix(fine, coarse, 0.7 * patches + 0.3 * mix(0.5, grit, seen));
   return mix(pavement, vec3(0.24, 0.185, 0.14), 0.75 * stone);
 }
 
 vec3 rock_colour(vec3 place) {
-  float strata = noise(vec2(place.z * 2.2 / cell_side + 2.0 * rough_noise(place.xy / (9.0 * cell_side)), 3.0));
-  float blotch = rough_noise(place.xy / (4.0 * cell_side));
-  return mix(vec3(0.135, 0.100, 0.075), vec3(0.275, 0.205, 0.150), mix(0.5, 0.55 * strata + 0.45 * blotch, grain));
+  vec3 dark = vec3(0.200, 0.135, 0.090);
+  vec3 light = vec3(0.400, 0.290, 0.200);
+  if (grain <= 0.0) return mix(dark, light, 0.5);
+  float strata = noise(vec2(place.z * 1.6 / cell_side + 2.0 * rough_noise(place.xy / (9.0 * cell_side)), 3.0));
+  float blotch = 0.6 * rough_noise(place.xy / (5.0 * cell_side)) + 0.4 * rough_noise(place.xy / (0.9 * cell_side));
+  return mix(dark, light, mix(0.5, 0.5 * strata + 0.5 * blotch, grain));
 }
 
 Ground ground_at(vec2 place, vec4 seen) {
   vec2 slope = slope_at(place);
   float pixel = footprint();
   vec2 land_here = surface_at(place);
-  float covered = 1.0 - exp(-max(land_here.g, 0.0) / (0.22 * cell_side));
-  vec2 shift = mod(point.xy, land);  // copies of the land look the same
-  float bumps;
-  vec3 bare = bare_colour(shift, pixel, bumps);
-  float rocky = smoothstep(0.2, 1.2, (point.z - land_here.g * exaggeration - bedrock_low) / cell_side);
-  bare = mix(bare, rock_colour(vec3(shift, point.z)), rocky);
   float steep = length(slope);
+  // Nothing loose lies on a cliff.
+  float covered = (1.0 - exp(-max(land_here.g, 0.0) / (0.22 * cell_side))) * (1.0 - smoothstep(0.9, 1.3, steep / exaggeration));
+  vec2 shift = mod(point.xy, land);  // copies of the land look the same
+  float bumps = 0.0;
+  vec3 bare = vec3(0.0);
+  float rocky = smoothstep(0.2, 1.2, (point.z - land_here.g * exaggeration - bedrock_low) / cell_side);
+  if (covered < 0.995) bare = bare_colour(shift, pixel, bumps);
+  if (covered < 0.995 && rocky > 0.0) bare = mix(bare, rock_colour(vec3(shift, point.z)), rocky);
   float open = (1.0 - smoothstep(0.40, 0.55, steep)) * (1.0 - smoothstep(0.10, 0.24, seen.b)) * covered;
   if (grain > 0.0) {
     vec2 fine = grain_slope(shift, pixel) * (0.4 + 0.6 * open);
     if (wind != vec2(0.0)) fine += wind * ripple_slope(shift, 0.20 * open);
-    if (rocky > 0.0) fine += (1.0 - covered) * rocky * 1.1 * (vec2(rough_noise(shift / (1.7 * cell_side)), rough_noise(shift / (1.7 * cell_side) + 77.0)) - 0.5);
+    if (rocky > 0.0 && covered < 0.995) {
+      vec2 rough = vec2(rough_noise(shift / (1.7 * cell_side)), rough_noise(shift / (1.7 * cell_side) + 77.0)) - 0.5;
+      fine += 1.1 * (1.0 - covered) * rocky * rough;
+    }
     slope += grain * (fine + vec2(bumps * (1.0 - covered) * 0.25));
   }
   vec3 cover = snowy ? vec3(0.90, 0.91, 0.93) : sand_colour(shift);

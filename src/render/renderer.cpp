@@ -159,7 +159,7 @@ Picture Renderer::draw(const TerrainView& view, const Look& look, const Camera& 
 std::vector<std::string> Renderer::draw_into(unsigned frame_buffer, const TerrainView& view, const Look& look,
                                              const Camera& camera, int width, int height) {
   std::vector<std::string> notes;
-  work_->maps.update(view, look, {work_->effort.largest_side, 4096}, notes);
+  work_->maps.update(view, look, {work_->effort.largest_side, work_->effort.largest_map}, notes);
   Camera above = camera;
   const LandBox land = work_->maps.land();
   const double keep = std::min(clearance * std::min(land.east, land.north), 2 * work_->maps.cell_side());

@@ -25,13 +25,17 @@ struct PictureSize {
 /// What limits the work, by what draws and for whom.
 struct RenderEffort {
   int largest_side = 4096;  ///< cells a side that are drawn; larger grids are drawn in means of blocks of cells
+  int largest_map = 4096;   ///< texels a side of the smooth surface, which has two for the side of a cell where they fit
   double step_pixels = 2;   ///< length of the land's triangles in the picture
   int finest = 256;         ///< most steps for 64 cells
+  bool grains = true;       ///< grains, ripples and stones
 
   /// A still picture, with all there is.
   static RenderEffort still() { return {}; }
   /// A picture at once while a person moves: on a graphics card, or on the processor.
-  static RenderEffort moving(bool software) { return software ? RenderEffort{512, 6, 64} : RenderEffort{4096, 3, 128}; }
+  static RenderEffort moving(bool software) {
+    return software ? RenderEffort{256, 256, 8, 64, false} : RenderEffort{4096, 4096, 3, 128, true};
+  }
 };
 
 /// A picture with what belongs to it.

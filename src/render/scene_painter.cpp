@@ -146,7 +146,7 @@ void ScenePainter::paint_land(const PaintRequest& request, const Air& air) {
   const bool windy = request.view.wind.has_value();
   program.set("wind", windy ? static_cast<float>(std::sin(toward)) : 0.0f,
               windy ? static_cast<float>(std::cos(toward)) : 0.0f);
-  program.set("grain", look.grain);
+  program.set("grain", request.effort.grains ? look.grain : 0.0);
   program.set("material", static_cast<int>(look.is_material()));
   program.set("shading", static_cast<int>(look.shading));
   program.set("source", value_source(look));

@@ -246,7 +246,9 @@ TEST_F(Pictures, FarLandHasFewerTriangles) {
 
 TEST_F(Pictures, LargeGridsAreDrawnInBlocks) {
   const Terrain terrain({300, 200}, 1.0, slab);
-  renderer_.set_effort({.largest_side = 128, .step_pixels = 3, .finest = 64});
+  RenderEffort effort;
+  effort.largest_side = 128;
+  renderer_.set_effort(effort);
   const Picture picture = top_view(view_of(terrain), values("elevation"), 1);
   ASSERT_EQ(picture.notes.size(), 1u);
   EXPECT_NE(picture.notes[0].find("3 x 3"), std::string::npos) << picture.notes[0];
