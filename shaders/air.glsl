@@ -15,7 +15,7 @@ vec3 sun_colour() {
   float low = exp(-to_sun.z * 4.0);
   return mix(vec3(1.0, 0.95, 0.87), vec3(1.0, 0.72, 0.45), low);
 }
-vec3 sky_colour() { return snowy ? vec3(0.50, 0.68, 1.0) : vec3(0.55, 0.70, 1.0); }
+vec3 sky_colour() { return snowy ? vec3(0.44, 0.63, 1.0) : vec3(0.55, 0.70, 1.0); }
 
 // The sky in a direction: blue above, pale at the horizon, warm around the sun.
 vec3 sky(vec3 direction) {

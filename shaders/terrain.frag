@@ -78,8 +78,8 @@ vec3 sand_colour(vec2 place) {
 
 // Desert pavement: grit with scattered stones.
 vec3 bare_colour(vec2 place, float pixel, out float bumps) {
-  vec3 fine = vec3(0.43, 0.300, 0.185);
-  vec3 coarse = vec3(0.55, 0.400, 0.255);
+  vec3 fine = snowy ? vec3(0.250, 0.225, 0.200) : vec3(0.430, 0.300, 0.185);
+  vec3 coarse = snowy ? vec3(0.350, 0.320, 0.285) : vec3(0.550, 0.400, 0.255);
   bumps = 0.0;
   if (grain <= 0.0) return mix(fine, coarse, 0.5);
   float patches = mix(0.5, rough_noise(place / (14.0 * cell_side)), grain);
@@ -110,7 +110,7 @@ Ground ground_at(vec2 place, vec4 seen) {
   vec2 land_here = surface_at(place);
   float steep = length(slope);
   // Nothing loose lies on a cliff.
-  float covered = (1.0 - exp(-max(land_here.g, 0.0) / (0.22 * cell_side))) * (1.0 - smoothstep(0.9, 1.3, steep / exaggeration));
+  float covered = (1.0 - exp(-max(land_here.g, 0.0) / (0.22 * cell_side))) * (1.0 - smoothstep(1.15, 1.6, steep / exaggeration));
   vec2 shift = mod(point.xy, land);  // copies of the land look the same
   float bumps = 0.0;
   vec3 bare = vec3(0.0);
@@ -142,9 +142,9 @@ vec3 lit(Ground ground, vec4 seen) {
   float facing = max(dot(ground.normal, to_sun), 0.0);
   float sun = facing * sunlit(seen.r) / mix(1.0, max(to_sun.z, 0.15), 0.55);
   float open = seen.g * seen.g * (0.6 + 0.4 * ground.normal.z);
-  vec3 bounced = ground.albedo * sun_colour() * (0.10 + 0.35 * (1.0 - seen.g));
+  vec3 bounced = ground.albedo * sun_colour() * ((snowy ? 0.03 : 0.10) + 0.35 * (1.0 - seen.g));
   vec3 sun_light = sun_colour() * 0.86 * sun;
-  vec3 sky_light = sky_colour() * (snowy ? 0.34 : 0.235) * open;
+  vec3 sky_light = sky_colour() * (snowy ? 0.38 : 0.235) * open;
   vec3 result = ground.albedo * (sun_light + sky_light + bounced);
   if (snowy && grain > 0.0) {
     // Single crystals that happen to face between sun and eye.

@@ -64,7 +64,7 @@ Camera camera_preset(std::string_view name, const LandBox& land, double aspect) 
     camera.bearing = 155;
     camera.altitude = 30;
     camera.opening = 26;
-    camera.distance = distance_for(std::max(0.9 * land.north, 1.35 * land.east / aspect), 0.9, camera.opening);
+    camera.distance = distance_for(std::max(0.9 * land.north, 1.35 * land.east / aspect), 0.83, camera.opening);
   } else if (name == "side") {
     camera.bearing = 180;
     camera.altitude = 8;
