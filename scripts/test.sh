@@ -10,7 +10,7 @@ build_release
 result=build/release/test-result.xml
 rm -f "$result"
 status=0
-ctest --preset release --parallel "$(nproc)" --progress --no-tests=error --output-junit test-result.xml "$@" || status=$?
+ctest --preset release --parallel "$(nproc)" --no-tests=error --output-junit test-result.xml "$@" || status=$?
 
 # A number among the attributes of the result's <testsuite ...> element, which ctest spreads over lines.
 count() { sed -n '/<testsuite/,/>/{s/.*[[:space:]]'"$1"'="\([0-9]*\)".*/\1/p}' "$result" | head -n 1; }

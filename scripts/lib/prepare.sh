@@ -21,7 +21,7 @@ install_missing() {
   missing=$(missing_packages)
   [ -n "$missing" ] || return 0
   echo "Installing what is missing, with apt-get:"
-  sed 's/^/  /' <<<"$missing" | column -t -s $'\t' 2>/dev/null || sed 's/^/  /' <<<"$missing"
+  awk -F'\t' '{ printf "  %-20s %s\n", $1, $2 }' <<<"$missing"
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
       echo "Neither root nor sudo here. As root, run: apt-get install" $(cut -f1 <<<"$missing") >&2

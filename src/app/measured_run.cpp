@@ -25,7 +25,7 @@ MeasuredRun::MeasuredRun(Simulation& simulation, std::int64_t last_step, bool wa
 
 StepReport MeasuredRun::step() {
   const auto start = std::chrono::steady_clock::now();
-  const StepReport report = simulation_.step();
+  StepReport report = simulation_.step();
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   polls_ += report.polls;
   observe();

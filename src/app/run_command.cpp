@@ -20,7 +20,7 @@ namespace erg {
 namespace {
 
 constexpr const char* default_folder = "out";
-constexpr std::int64_t default_rows = 100;  // of the CSV, where --every does not say
+constexpr std::int64_t default_rows = 50;  // of the CSV, where --every does not say
 
 bool writes_files(const RunRequest& request) {
   return !request.out.empty() || !request.formats.empty() || request.every > 0;

@@ -137,7 +137,7 @@ void RunOutput::write_state() {
 }
 
 fs::path RunOutput::write_state_checkpoint() {
-  const fs::path path = numbered(".checkpoint");
+  fs::path path = numbered(".checkpoint");
   write_checkpoint(path, simulation_.config(), simulation_.state());
   files_.push_back(path);
   return path;

@@ -57,8 +57,8 @@ std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor
   Config seeded = config;
   set_from_text(seeded, "run.executor=" + executor);
   const auto start = std::chrono::steady_clock::now();
-  std::fprintf(stderr, "validate: %s, %s, %d seed%s ... ", config.title.c_str(), executor.c_str(), seeds,
-               seeds == 1 ? "" : "s");
+  std::fprintf(stderr, "validate: %s, %s, %s ... ", config.title.c_str(), executor.c_str(),
+               count_text(seeds, "seed").c_str());
   // The serial executor uses one thread, so as many runs as there are processors go side by side.
   const int side_by_side =
       executor == "serial" ? std::max(1, static_cast<int>(std::thread::hardware_concurrency())) : 1;

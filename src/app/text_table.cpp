@@ -56,7 +56,13 @@ std::string TextTable::markdown() const {
 std::string fixed_text(double value, int digits) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  const std::string shown = text;
+  const bool zero = shown.find_first_not_of("-0.") == std::string::npos;
+  return zero && shown.front() == '-' ? shown.substr(1) : shown;
+}
+
+std::string count_text(int count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 }  // namespace erg

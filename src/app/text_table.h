@@ -17,7 +17,10 @@ struct TextTable {
   std::string markdown() const;
 };
 
-/// A number with so many digits after the point.
+/// A number with so many digits after the point; zero has no sign.
 std::string fixed_text(double value, int digits);
+
+/// "1 seed", "3 seeds".
+std::string count_text(int count, const std::string& noun);
 
 }  // namespace erg

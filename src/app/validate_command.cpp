@@ -11,9 +11,13 @@ namespace {
 
 std::string validation_document(const ValidationOptions& options) {
   const std::string command = options.quick ? "erg validate --quick" : "erg validate";
-  return "# Validation\n\nMade by `" + command + " --out docs/validation.md` with erg " ERG_VERSION ".\n\n" +
-         published_section(options) + "\n" + executors_section(options) + "\n" + bearings_section(options) + "\n" +
-         identities_section();
+  std::string document =
+      "# Validation\n\nMade by `" + command + " --out docs/validation.md` with erg " ERG_VERSION ".\n";
+  document += "\n" + published_section(options);
+  document += "\n" + executors_section(options);
+  document += "\n" + bearings_section(options);
+  document += "\n" + identities_section();
+  return document;
 }
 
 }  // namespace

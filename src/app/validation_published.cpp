@@ -68,7 +68,7 @@ std::string published_section(const ValidationOptions& options) {
   return "## Thickest column, in slabs, beside print\n\nPrinted figures: one run each of another program (Cimbura "
          "2022, "
          "tables 6.1 to 6.7). Ours: mean over " +
-         std::to_string(seeds) + " seed(s), spread over the seeds in brackets.\n\n" + table.markdown();
+         count_text(seeds, "seed") + ", spread over the seeds in brackets.\n\n" + table.markdown();
 }
 
 std::string identities_section() {

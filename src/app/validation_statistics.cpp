@@ -29,6 +29,7 @@ double speed(const SeedRun& run) { return std::hypot(run.end.migration.x, run.en
 
 std::vector<Column> statistics_columns(const std::vector<std::int64_t>& watch) {
   std::vector<Column> columns;
+  columns.reserve(watch.size() + 5);
   for (const std::int64_t step : watch) {
     columns.push_back({"sd at " + std::to_string(step), 2, [step](const SeedRun& run) { return sd_at(run, step); }});
   }
@@ -40,9 +41,11 @@ std::vector<Column> statistics_columns(const std::vector<std::int64_t>& watch) {
   return columns;
 }
 
-/// The difference of two means in percent, marked where neither 5% nor the seeds' spread covers it.
-std::string difference_text(const Sample& reference, const Sample& other) {
+/// The difference of two means in percent, marked where neither 5% nor the seeds' spread covers it; "0" where it does
+/// not show in so many digits.
+std::string difference_text(const Sample& reference, const Sample& other, int digits) {
   const double difference = other.mean() - reference.mean();
+  if (std::abs(difference) < 0.5 * std::pow(10.0, -digits)) return "0";
   const bool covered = std::abs(difference) <= 0.05 * std::abs(reference.mean()) ||
                        std::abs(difference) <= std::max(reference.spread(), other.spread());
   const std::string text = fixed_text(difference / reference.mean() * 100, 1) + "%";
@@ -72,6 +75,7 @@ std::vector<Sample> measure_columns(const Config& config, const char* executor, 
                                     const std::vector<std::int64_t>& watch, const std::vector<Column>& columns) {
   const std::vector<SeedRun> runs = run_seeds(config, executor, seeds, watch);
   std::vector<Sample> samples;
+  samples.reserve(columns.size());
   for (const Column& column : columns) samples.push_back(sample_of(runs, column.number));
   return samples;
 }
@@ -99,13 +103,13 @@ std::string executors_section(const ValidationOptions& options) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       serial_row.push_back(serial[i].text(columns[i].digits));
       cpu_row.push_back(cpu[i].text(columns[i].digits));
-      difference_row.push_back(difference_text(serial[i], cpu[i]));
+      difference_row.push_back(difference_text(serial[i], cpu[i], columns[i].digits));
     }
     table.rows.insert(table.rows.end(), {serial_row, cpu_row, difference_row});
   }
   return "## `serial` and `cpu`\n\nAfter " + std::to_string(watch.back()) + " steps, mean over " +
-         std::to_string(seeds) +
-         " seeds, spread over the seeds in brackets; `cpu` with K 16. sd: standard deviation of height, slabs; max: "
+         count_text(seeds, "seed") +
+         ", spread over the seeds in brackets; `cpu` with K 16. sd: standard deviation of height, slabs; max: "
          "thickest column, slabs; bare, shadow: share of cells; wavelength: cells; migration: cells a step. Bold: a "
          "difference above 5% that the larger of the two spreads does not cover.\n\n" +
          table.markdown();
@@ -144,8 +148,8 @@ std::string bearings_section(const ValidationOptions& options) {
     }
   }
   return "## Oblique winds\n\nMomiji barchans, 3 slabs a cell, " + side + " x " + side + " cells, " + steps +
-         " steps on `cpu` with K 16, mean over " + std::to_string(seeds) +
-         " seed(s). sd: standard deviation of height, slabs; speed of migration, cells a step; direction off: between "
+         " steps on `cpu` with K 16, mean over " + count_text(seeds, "seed") +
+         ". sd: standard deviation of height, slabs; speed of migration, cells a step; direction off: between "
          "the direction of migration and the wind, degrees. \"of 270\": against the west wind.\n\n" +
          table.markdown();
 }

@@ -49,6 +49,22 @@ const std::vector<std::string>& executor_names() {
   return names;
 }
 
+std::int32_t check_height(const Terrain& terrain) {
+  const auto bedrock = terrain.bedrock().cells();
+  const auto mobile = terrain.mobile().cells();
+  const std::int32_t lowest = *std::min_element(bedrock.begin(), bedrock.end());
+  std::int64_t highest = 0;
+  for (std::size_t cell = 0; cell < mobile.size(); ++cell) {
+    highest = std::max<std::int64_t>(highest, static_cast<std::int64_t>(bedrock[cell]) + mobile[cell] - lowest);
+  }
+  if (highest > highest_terrain) {
+    throw InputError("terrain",
+                     "it rises " + std::to_string(highest) + " slabs, more than " + std::to_string(highest_terrain),
+                     "use a larger slab height or a lower terrain");
+  }
+  return lowest;
+}
+
 std::unique_ptr<SlabExecutor> make_executor(const ExecutorOptions& options) {
   if (options.name == "serial") return std::make_unique<SerialExecutor>();
   if (options.name == "cpu" || options.name == "auto") {

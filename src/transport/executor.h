@@ -60,6 +60,11 @@ struct ExecutorOptions {
 /// "auto", "serial", "cpu".
 const std::vector<std::string>& executor_names();
 
+/// The highest cell over the lowest bedrock that executors count, in slabs: 16 bits, with room for what a step may add.
+inline constexpr int highest_terrain = 40000;
+/// The lowest bedrock of a terrain; throws InputError if its highest cell stands more than `highest_terrain` over it.
+std::int32_t check_height(const Terrain& terrain);
+
 /// Throws InputError for an unknown name.
 std::unique_ptr<SlabExecutor> make_executor(const ExecutorOptions& options);
 

@@ -13,10 +13,11 @@
 namespace erg {
 namespace {
 
-/// Highest cell over the lowest bedrock that 16-bit lanes hold with room for what may land in one sub-sweep.
-constexpr int highest_wide = 40000;
 /// Forced erosion gives up after this many rounds of K sub-sweeps without a lift.
 constexpr int idle_rounds = 4;
+
+/// A standing step that 16-bit lanes can add to any height; steeper slopes than this need no test.
+constexpr int longest_step = 25000;
 
 /// What the random words of a step are for; each has a key space of its own.
 enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations };
@@ -35,6 +36,15 @@ void permuted_rows(StepKey key, int round, int sweep, int sweeps, std::vector<st
     }
     rows[number] = order[static_cast<std::size_t>(sweep)];
   }
+}
+
+/// Tiles are numbered up each block, then along the blocks.
+int tile_rows_of(int length) { return std::max(1, length / tile_rows); }
+SlideTile tile_number(int number, int length) {
+  const int rows = tile_rows_of(length);
+  const int row = number % rows;
+  // The last tile takes the rows that are left over.
+  return {number / rows, row * tile_rows, row + 1 == rows ? length : (row + 1) * tile_rows};
 }
 
 }  // namespace
@@ -83,237 +93,11 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
   return report;
 }
 
-// --- terrain in and out
-// -------------------------------------------------------------------------------------------------
-
-void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
-  const auto bedrock = terrain.bedrock().cells();
-  const auto mobile = terrain.mobile().cells();
-  frame_ = frame;
-  open_ = terrain.boundary() == Boundary::open;
-  const auto [low, high] = std::minmax_element(bedrock.begin(), bedrock.end());
-  base_ = *low;
-  relief_ = *low != *high;
-  std::int64_t highest = 0;
-  bedrock_total_ = 0;
-  mobile_total_ = 0;
-  for (std::size_t cell = 0; cell < mobile.size(); ++cell) {
-    highest = std::max<std::int64_t>(highest, static_cast<std::int64_t>(bedrock[cell]) + mobile[cell] - base_);
-    bedrock_total_ += bedrock[cell];
-    mobile_total_ += mobile[cell];
-  }
-  if (highest > highest_wide) {
-    throw InputError(
-        "executor cpu",
-        "the terrain is " + std::to_string(highest) + " slabs high, more than " + std::to_string(highest_wide),
-        "use a larger slab height or --executor serial");
-  }
-  highest_ = static_cast<int>(highest);
-  narrow_ = narrow_fits(highest_);
-  if (narrow_) {
-    load_heights<std::uint8_t>(terrain);
-  } else {
-    load_heights<std::uint16_t>(terrain);
-  }
-  cover_loaded_ = false;
-  loaded_ = &terrain;
-  revision_ = terrain.revision();
-}
-
-/// Calls visit(cell of the frame's plane, cell of the terrain) for all cells, in blocks that suit both orders of
-/// memory.
-template <typename Visit>
-void ParallelExecutor::visit_cells(const Visit& visit) {
-  constexpr int block_rows = 16;
-  const int blocks = (frame_.length + block_rows - 1) / block_rows;
-  team_.run([&](int member) {
-    for (int block = member; block < blocks; block += team_.size()) {
-      const int first = block * block_rows;
-      const int end = std::min(frame_.length, first + block_rows);
-      for (int u = 0; u < frame_.width; ++u) {
-        for (int v = first; v < end; ++v) {
-          const auto here =
-              static_cast<std::size_t>(v) * static_cast<std::size_t>(frame_.width) + static_cast<std::size_t>(u);
-          visit(here, frame_.cell(u, v));
-        }
-      }
-    }
-  });
-}
-
-template <typename Lane>
-void ParallelExecutor::load_heights(const Terrain& terrain) {
-  Planes<Lane>& mine = planes<Lane>();
-  mine.before.resize(terrain.extent().cells());
-  mine.after.resize(terrain.extent().cells());
-  mine.bedrock.resize(relief_ ? terrain.extent().cells() : 0);
-  const auto bedrock = terrain.bedrock().cells();
-  const auto mobile = terrain.mobile().cells();
-  visit_cells([&](std::size_t here, std::size_t there) {
-    mine.before[here] = static_cast<Lane>(bedrock[there] + mobile[there] - base_);
-    if (relief_) mine.bedrock[here] = static_cast<Lane>(bedrock[there] - base_);
-  });
-}
-
-void ParallelExecutor::settle(Terrain& terrain) {
-  if (loaded_ != &terrain || revision_ != terrain.revision()) return;
-  Grid<std::int32_t>& mobile = terrain.edit_mobile();
-  const auto write = [&](const auto& mine) {
-    visit_cells([&](std::size_t here, std::size_t there) {
-      mobile[there] = mine.before[here] - (relief_ ? mine.bedrock[here] : 0);
-    });
-  };
-  if (narrow_) {
-    write(narrow_planes_);
-  } else {
-    write(wide_planes_);
-  }
-  revision_ = terrain.revision();
-}
-
-void ParallelExecutor::change_lanes(bool narrow) {
-  const auto convert = [](const auto& from, auto& to) {
-    to.before.assign(from.before.begin(), from.before.end());
-    to.after.resize(from.after.size());
-    to.bedrock.assign(from.bedrock.begin(), from.bedrock.end());
-  };
-  if (narrow) {
-    convert(wide_planes_, narrow_planes_);
-    wide_planes_ = {};
-  } else {
-    convert(narrow_planes_, wide_planes_);
-    narrow_planes_ = {};
-  }
-  narrow_ = narrow;
-  cover_loaded_ = false;
-}
-
-// --- what the law means on this grid
-// ------------------------------------------------------------------------------------
-
-template <typename Lane>
-void ParallelExecutor::load_cover(const SlabLaw& law) {
-  if (law.cover == nullptr) {
-    cover_.clear();
-    cover_loaded_ = false;
-    planes<Lane>().steps.clear();
-    planes<Lane>().diagonal_steps.clear();
-    return;
-  }
-  if (cover_loaded_ && cover_revision_ == law.cover_revision) return;
-  const auto cover = law.cover->cells();
-  cover_.resize(cover.size());
-  visit_cells([&](std::size_t here, std::size_t there) { cover_[here] = cover[there]; });
-
-  Planes<Lane>& mine = planes<Lane>();
-  const auto lay_steps = [&](std::vector<Lane>& steps, int bare, int covered) {
-    steps.resize(bare == covered ? 0 : cover_.size());
-    for (std::size_t cell = 0; cell < steps.size(); ++cell) {
-      steps[cell] = static_cast<Lane>(cover_[cell] >= law.covered_from ? covered : bare);
-    }
-  };
-  lay_steps(mine.steps, law.bare.straight, law.covered.straight);
-  lay_steps(mine.diagonal_steps, law.bare.diagonal, law.covered.diagonal);
-  cover_revision_ = law.cover_revision;
-  cover_loaded_ = true;
-}
-
-/// Marks the rows whose bedrock may stop a slab: only where it stands higher than a step over the lowest ground.
-void ParallelExecutor::prepare_walls(const SlabLaw& law) {
-  if (!law.obstacles || !relief_) {
-    wall_rows_.clear();
-    return;
-  }
-  wall_rows_.assign(static_cast<std::size_t>(frame_.length), 0);
-  const auto mark = [&](const auto& bedrock) {
-    for (int v = 0; v < frame_.length; ++v) {
-      const auto row = bedrock.begin() + static_cast<std::ptrdiff_t>(v) * frame_.width;
-      wall_rows_[static_cast<std::size_t>(v)] = *std::max_element(row, row + frame_.width) > law.bare.straight ? 1 : 0;
-    }
-  };
-  if (narrow_) {
-    mark(narrow_planes_.bedrock);
-  } else {
-    mark(wide_planes_.bedrock);
-  }
-}
-
-/// Fills the table of hops in rows * 256, one entry for each height over the base (or one for all).
-template <typename Lane>
-void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength) {
-  const auto rows_256 = [&](double above_reference) {
-    const double rows = law.hop.cells(strength, above_reference) * frame_.cosine;
-    return static_cast<std::uint32_t>(std::max<std::int64_t>(1 << fixed_point_bits, fixed_point(rows)));
-  };
-  if (!law.hop.depends_on_height()) {
-    hop_table_.assign(1, rows_256(0));
-    return;
-  }
-  const double cells = static_cast<double>(planes<Lane>().before.size());
-  const double mean = static_cast<double>(bedrock_total_ + mobile_total_) / cells - base_;
-  const double deviation = law.hop.deviation_weight != 0 ? mean_deviation<Lane>(mean) : 0;
-  const double reference = mean - law.hop.deviation_weight * deviation;
-  hop_table_.resize(std::size_t{1} << (8 * sizeof(Lane)));
-  for (std::size_t height = 0; height < hop_table_.size(); ++height) {
-    hop_table_[height] = rows_256(static_cast<double>(height) - reference);
-  }
-}
-
-/// Mean of |h - mean| over the cells, from counts of heights: the same sum on any number of threads.
-template <typename Lane>
-double ParallelExecutor::mean_deviation(double mean) {
-  const std::vector<Lane>& heights = planes<Lane>().before;
-  std::vector<std::vector<std::int64_t>> counts(static_cast<std::size_t>(team_.size()));
-  team_.run([&](int member) {
-    std::vector<std::int64_t>& mine = counts[static_cast<std::size_t>(member)];
-    mine.assign(static_cast<std::size_t>(highest_) + 1, 0);
-    const auto members = static_cast<std::size_t>(team_.size());
-    const std::size_t first = heights.size() * static_cast<std::size_t>(member) / members;
-    const std::size_t end = heights.size() * (static_cast<std::size_t>(member) + 1) / members;
-    for (std::size_t cell = first; cell < end; ++cell) ++mine[heights[cell]];
-  });
-  double sum = 0;
-  for (std::size_t height = 0; height <= static_cast<std::size_t>(highest_); ++height) {
-    std::int64_t count = 0;
-    for (const auto& mine : counts) count += mine[height];
-    sum += static_cast<double>(count) * std::abs(static_cast<double>(height) - mean);
-  }
-  return sum / static_cast<double>(heights.size());
-}
-
-/// Cuts the lines into strips, one or more for each member, with rings of this many rows.
-template <typename Lane>
-void ParallelExecutor::prepare_strips(int ring_rows) {
-  Planes<Lane>& mine = planes<Lane>();
-  const int share = (frame_.width + team_.size() - 1) / team_.size();
-  const int lines = std::min(strip_lines, (share + 63) / 64 * 64);
-  const auto count = static_cast<std::size_t>((frame_.width + lines - 1) / lines);
-  const std::size_t ring = static_cast<std::size_t>(ring_rows) * strip_lines;
-  if (mine.strips.size() != count) mine.strips = std::vector<Strip<Lane>>(count);
-  if (mine.rings.size() != ring * count) mine.rings.assign(ring * count, 0);
-  for (std::size_t k = 0; k < count; ++k) {
-    Strip<Lane>& strip = mine.strips[k];
-    strip.first = static_cast<int>(k) * lines;
-    strip.lines = std::min(lines, frame_.width - strip.first);
-    strip.ring = mine.rings.data() + ring * k;
-  }
-}
-
-/// Rows of ring that hold the longest hop from ground up to `highest`: a power of two.
-int ParallelExecutor::ring_rows(int highest) const {
-  const std::size_t heights = std::min(hop_table_.size(), static_cast<std::size_t>(highest) + 1);
-  const std::uint32_t longest =
-      *std::max_element(hop_table_.begin(), hop_table_.begin() + static_cast<std::ptrdiff_t>(heights));
-  return static_cast<int>(std::bit_ceil((longest >> fixed_point_bits) + 2));
-}
-
-// --- sub-sweeps
-// ---------------------------------------------------------------------------------------------------------
+// --- sub-sweeps ---
 
 bool ParallelExecutor::goes_on(const Progress& progress) const {
   if (!progress.law->forced_erosion) return progress.sweep < options_.sweeps;
-  const auto cells = static_cast<std::int64_t>(frame_.width) * frame_.length;
-  return progress.counts.lifts < cells && progress.idle < idle_rounds * options_.sweeps;
+  return progress.counts.lifts < cells() && progress.idle < idle_rounds * options_.sweeps;
 }
 
 /// Runs sub-sweeps until the step is done; false if 8-bit lanes cannot hold the next one, which then has left no trace.
@@ -347,7 +131,7 @@ template <typename Lane>
 ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progress progress, int rows) {
   Planes<Lane>& mine = planes<Lane>();
   const SweepKernels<Lane>& kernels = sweep_kernels<Lane>(options_.instructions);
-  const auto members = static_cast<std::size_t>(team_.size());
+  const auto [first_strip, end_strip] = share(static_cast<int>(mine.strips.size()), member);
   Lane* before = mine.before.data();
   Lane* after = mine.after.data();
   std::vector<std::uint8_t> polled_rows;
@@ -356,12 +140,11 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     plan.before = before;
     plan.after = after;
     plan.ring_rows = rows;
-    for (std::size_t k = static_cast<std::size_t>(member); k < mine.strips.size(); k += members) {
-      kernels.convey(plan, mine.strips[k]);
-    }
+    for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
     team_.meet();
-    for (std::size_t k = static_cast<std::size_t>(member); k < mine.strips.size(); k += members) {
-      if (!plan.open && !mine.strips[k].counts.crowded) kernels.carry(plan, mine.strips[k]);
+    for (int k = first_strip; k < end_strip; ++k) {
+      Strip<Lane>& strip = mine.strips[static_cast<std::size_t>(k)];
+      if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);
     }
     team_.meet();
     const SweepCounts counts = summed(mine.strips);
@@ -406,23 +189,34 @@ SweepCounts ParallelExecutor::summed(const std::vector<Strip<Lane>>& strips) {
   return sum;
 }
 
-/// Slides inside the member's bands, then the seams at their upper ends.
+/// Slides inside tiles, then over the seams between the rows of tiles, then over those between columns of tiles. A
+/// member's tiles stand in the columns of its strips, so that (on a straight wind) what it conveyed is still near.
 template <typename Lane>
 void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
-  const int bands = std::max(1, plan.length / band_rows);
-  const int first = bands * member / team_.size();
-  const int end = bands * (member + 1) / team_.size();
-  const auto end_row = [&](int band) { return band + 1 == bands ? plan.length : (band + 1) * band_rows; };
-  for (int band = first; band < end; ++band) kernels.slide_band(plan, band * band_rows, end_row(band));
-  team_.meet();
-  for (int band = first; band < end; ++band) {
-    if (band + 1 < bands) {
-      kernels.slide_seam(plan, end_row(band) - 1, end_row(band));
-    } else if (!plan.open && plan.length > 2) {
-      kernels.slide_seam(plan, plan.length - 1, 0);
-    }
+  const int length = plan.layout.length;
+  const int blocks = plan.layout.blocks;
+  const auto [first, end] = share(blocks * tile_rows_of(length), member);
+  for (int k = first; k < end; ++k) kernels.slide_tile(plan, tile_number(k, length));
+  // Where members hold whole blocks, the seams inside them wait for nobody.
+  if (blocks % team_.size() != 0) team_.meet();
+  for (int k = first; k < end; ++k) {
+    const SlideTile tile = tile_number(k, length);
+    if (tile.end_row < length || (!plan.open && length > 2)) kernels.slide_row_seam(plan, tile);
   }
   team_.meet();
+  const auto [first_block, end_block] = share(blocks, member);
+  for (int block = first_block; block < end_block; ++block) {
+    const bool closes = block + 1 == blocks;
+    if (!closes || (!plan.open && plan.layout.width > 2))
+      kernels.slide_column_seam(plan, block, closes ? 0 : block + 1);
+  }
+  team_.meet();
+}
+
+/// The part [first, end) of `count` things that falls to a member.
+std::pair<int, int> ParallelExecutor::share(int count, int member) const {
+  const auto part = [&](int k) { return static_cast<int>(static_cast<std::int64_t>(count) * k / team_.size()); };
+  return {part(member), part(member + 1)};
 }
 
 template <typename Lane>
@@ -432,8 +226,7 @@ SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress, std::vect
   const int round = progress.sweep / options_.sweeps;
   const auto sweep = static_cast<std::uint64_t>(progress.sweep);
   SweepPlan<Lane> plan;
-  plan.width = frame_.width;
-  plan.length = frame_.length;
+  plan.layout = layout_;
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();
   plan.cover = cover_.empty() ? nullptr : cover_.data();
   plan.wall_rows = wall_rows_.empty() ? nullptr : wall_rows_.data();
@@ -473,14 +266,13 @@ SlidePlan<Lane> ParallelExecutor::slide_plan(const Progress& progress, Lane* hei
   const SlabLaw& law = *progress.law;
   const Planes<Lane>& mine = planes<Lane>();
   SlidePlan<Lane> plan;
-  plan.width = frame_.width;
-  plan.length = frame_.length;
+  plan.layout = layout_;
   plan.heights = heights;
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();
   plan.steps = mine.steps.empty() ? nullptr : mine.steps.data();
   plan.diagonal_steps = mine.diagonal_steps.empty() ? nullptr : mine.diagonal_steps.data();
-  plan.step = law.bare.straight;
-  plan.diagonal_step = law.bare.diagonal;
+  plan.step = std::min(law.bare.straight, longest_step);
+  plan.diagonal_step = std::min(law.bare.diagonal, longest_step);
   plan.diagonals = law.neighbours == 8;
   plan.open = open_;
   const std::uint32_t classes = plan.diagonals ? 8 : 4;

@@ -3,13 +3,15 @@
 // a time, on any number of threads with the same bits.
 //
 // A sub-sweep has four phases, with a barrier after each: *convey* (each thread follows its strips of lines down the
-// wind), *carry* (slabs still in the air go on over the torus edge), *slide* (row bands), *seams* (between bands). It
-// is deterministic because decisions read only the frozen plane and keyed random numbers, lines never share a cell, and
-// the edges of one class of slides are disjoint.
+// wind), *carry* (slabs still in the air go on over the torus edge), *slide* (tiles, then the seams between their
+// rows), *seams* (between blocks of columns). It is deterministic because decisions read only the frozen plane and
+// keyed random numbers, lines never share a cell, and the edges of one class of slides are disjoint.
 #pragma once
 
+#include <utility>
 #include <vector>
 
+#include "transport/aligned_vector.h"
 #include "transport/sweep.h"
 #include "transport/thread_team.h"
 #include "wind/wind_frame.h"
@@ -30,13 +32,13 @@ class ParallelExecutor : public SlabExecutor {
   /// The grid in the frame's order, counted from the lowest bedrock, and the strips that work on it.
   template <typename Lane>
   struct Planes {
-    std::vector<Lane> before;
-    std::vector<Lane> after;
-    std::vector<Lane> bedrock;  ///< empty where level
-    std::vector<Lane> steps;    ///< standing step of each cell; empty where all are the same
-    std::vector<Lane> diagonal_steps;
+    AlignedVector<Lane> before;
+    AlignedVector<Lane> after;
+    AlignedVector<Lane> bedrock;  ///< empty where level
+    AlignedVector<Lane> steps;    ///< standing step of each cell; empty where all are the same
+    AlignedVector<Lane> diagonal_steps;
     std::vector<Strip<Lane>> strips;
-    std::vector<Lane> rings;
+    AlignedVector<Lane> rings;
   };
 
   /// One time step under way.
@@ -65,6 +67,7 @@ class ParallelExecutor : public SlabExecutor {
   /// 8-bit lanes hold cells up to this bound, and a step more.
   bool narrow_fits(int highest) const { return highest + largest_step_ < 255; }
 
+  std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
   void load(const Terrain& terrain, const WindFrame& frame);
   template <typename Visit>
   void visit_cells(const Visit& visit);
@@ -93,6 +96,7 @@ class ParallelExecutor : public SlabExecutor {
   static SweepCounts summed(const std::vector<Strip<Lane>>& strips);
   template <typename Lane>
   void slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
+  std::pair<int, int> share(int count, int member) const;
   template <typename Lane>
   SweepPlan<Lane> sweep_plan(const Progress& progress, std::vector<std::uint8_t>& polled_rows) const;
   template <typename Lane>
@@ -104,6 +108,7 @@ class ParallelExecutor : public SlabExecutor {
   const Terrain* loaded_ = nullptr;
   std::uint64_t revision_ = 0;
   WindFrame frame_;
+  PlaneLayout layout_;
   bool open_ = false;
   bool relief_ = false;
   bool narrow_ = true;
@@ -113,7 +118,7 @@ class ParallelExecutor : public SlabExecutor {
   int highest_ = 0;  ///< bound on the highest cell over base_
   Planes<std::uint8_t> narrow_planes_;
   Planes<std::uint16_t> wide_planes_;
-  std::vector<std::uint8_t> cover_;
+  AlignedVector<std::uint8_t> cover_;
   std::uint64_t cover_revision_ = 0;
   bool cover_loaded_ = false;
   std::vector<std::uint8_t> wall_rows_;

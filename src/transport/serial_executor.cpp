@@ -59,18 +59,21 @@ StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const Wind
 }
 
 void SerialExecutor::load(const Terrain& terrain, const WindFrame& frame) {
+  lowest_ = check_height(terrain);
+  const auto bedrock = terrain.bedrock().cells();
+  const auto mobile = terrain.mobile().cells();
   frame_ = frame;
-  surface_.resize(terrain.extent().cells());
-  bedrock_.resize(surface_.size());
+  surface_.resize(mobile.size());
+  bedrock_.resize(mobile.size());
+  has_relief_ = false;
   for (int u = 0; u < frame.width; ++u) {
     for (int v = 0; v < frame.length; ++v) {
       const std::size_t from = frame.cell(u, v);
-      bedrock_[index(u, v)] = terrain.bedrock()[from];
-      surface_[index(u, v)] = terrain.bedrock()[from] + terrain.mobile()[from];
+      bedrock_[index(u, v)] = static_cast<std::uint16_t>(bedrock[from] - lowest_);
+      surface_[index(u, v)] = static_cast<std::uint16_t>(bedrock[from] - lowest_ + mobile[from]);
+      has_relief_ = has_relief_ || bedrock[from] != lowest_;
     }
   }
-  const auto [low, high] = std::minmax_element(bedrock_.begin(), bedrock_.end());
-  has_relief_ = *low != *high;
   open_ = terrain.boundary() == Boundary::open;
   loaded_ = &terrain;
   revision_ = terrain.revision();
@@ -102,22 +105,21 @@ void SerialExecutor::prepare(const SlabLaw& law, const WindNow& wind, StepKey ke
 }
 
 void SerialExecutor::count_heights() {
-  lowest_ = *std::min_element(bedrock_.begin(), bedrock_.end());
   highest_ = *std::max_element(surface_.begin(), surface_.end());
-  height_count_.assign(static_cast<std::size_t>(highest_ - lowest_) + 1, 0);
-  for (const std::int32_t height : surface_) ++height_count_[static_cast<std::size_t>(height - lowest_)];
+  height_count_.assign(static_cast<std::size_t>(highest_) + 1, 0);
+  for (const std::uint16_t height : surface_) ++height_count_[height];
 }
 
 /// Mean and deviation afresh for each step, summed in the order of heights: a resumed run starts from the same bits.
 void SerialExecutor::measure_relief() {
   std::int64_t sum = 0;
   for (std::size_t k = 0; k < height_count_.size(); ++k) {
-    sum += height_count_[k] * (lowest_ + static_cast<std::int64_t>(k));
+    sum += height_count_[k] * static_cast<std::int64_t>(k);
   }
   mean_ = static_cast<double>(sum) / static_cast<double>(surface_.size());
   deviation_ = 0;
   for (std::size_t k = 0; k < height_count_.size(); ++k) {
-    deviation_ += static_cast<double>(height_count_[k]) * std::abs(lowest_ + static_cast<double>(k) - mean_);
+    deviation_ += static_cast<double>(height_count_[k]) * std::abs(static_cast<double>(k) - mean_);
   }
 }
 
@@ -144,7 +146,7 @@ bool SerialExecutor::anything_can_move(Draws draws) {
   for (int u = 0; u < frame_.width; ++u) {
     for (int v = 0; v < frame_.length; ++v) {
       const std::size_t cell = index(u, v);
-      if (surface_[cell] == bedrock_[cell] || (!cover_.empty() && cover_[cell] == 255)) continue;
+      if (surface_[cell] == ground(cell) || (!cover_.empty() && cover_[cell] == 255)) continue;
       if (law_.erode_in_shadow || !in_shadow({u, v}, draws)) return true;
     }
   }
@@ -153,7 +155,7 @@ bool SerialExecutor::anything_can_move(Draws draws) {
 
 /// Algorithm 2/3 and 4: lifts a slab from the cell, or from the top of the slope that would slide into the gap.
 bool SerialExecutor::lift(std::size_t cell, Draws& draws) {
-  if (surface_[cell] == bedrock_[cell]) return false;
+  if (surface_[cell] == ground(cell)) return false;
   const Place start{static_cast<int>(cell / static_cast<std::size_t>(frame_.length)),
                     static_cast<int>(cell % static_cast<std::size_t>(frame_.length))};
   if (!cover_.empty() && draws.unit() * 255 < cover_[cell]) return false;
@@ -188,7 +190,7 @@ std::size_t SerialExecutor::steepest_neighbour(Place place, bool uphill) const {
     const int difference = 1 + (uphill ? surface_[there] - surface_[here] : surface_[here] - surface_[there]);
     const StandingSteps& steps = covered(higher) ? law_.covered : law_.bare;
     if (difference <= (offset.diagonal ? steps.diagonal : steps.straight)) continue;
-    if (uphill && surface_[there] == bedrock_[there]) continue;  // bare rock has nothing to give
+    if (uphill && surface_[there] == ground(there)) continue;  // bare rock has nothing to give
     const double slope = offset.diagonal ? difference / std::sqrt(2.0) : difference;
     if (slope > best) {
       best = slope;
@@ -318,7 +320,7 @@ bool SerialExecutor::inside(int& u, int& v) const {
 }
 
 double SerialExecutor::stay_chance(std::size_t cell) const {
-  const double chance = surface_[cell] > bedrock_[cell] ? law_.p_sand : law_.p_bare;
+  const double chance = surface_[cell] > ground(cell) ? law_.p_sand : law_.p_bare;
   if (cover_.empty()) return chance;
   return chance + cover_[cell] / 255.0 * (1 - chance);
 }
@@ -338,15 +340,14 @@ int SerialExecutor::hop_rows(std::int32_t height, Draws& draws) const {
 void SerialExecutor::change(std::size_t cell, int slabs) {
   const std::int32_t before = surface_[cell];
   const std::int32_t after = before + slabs;
-  surface_[cell] = after;
-  if (static_cast<std::size_t>(after - lowest_) >= height_count_.size()) {
-    height_count_.resize(static_cast<std::size_t>(after - lowest_) + 1);
-  }
-  --height_count_[static_cast<std::size_t>(before - lowest_)];
-  ++height_count_[static_cast<std::size_t>(after - lowest_)];
+  surface_[cell] = static_cast<std::uint16_t>(after);
+  if (static_cast<std::size_t>(after) >= height_count_.size())
+    height_count_.resize(static_cast<std::size_t>(after) + 1);
+  --height_count_[static_cast<std::size_t>(before)];
+  ++height_count_[static_cast<std::size_t>(after)];
   highest_ = std::max(highest_, after);
-  while (highest_ > lowest_ && height_count_[static_cast<std::size_t>(highest_ - lowest_)] == 0) --highest_;
-  deviation_ += std::abs(after - mean_) - std::abs(before - mean_);
+  while (highest_ > 0 && height_count_[static_cast<std::size_t>(highest_)] == 0) --highest_;
+  if (law_.hop.deviation_weight != 0) deviation_ += std::abs(after - mean_) - std::abs(before - mean_);
 }
 
 }  // namespace erg

@@ -49,6 +49,8 @@ class SerialExecutor : public SlabExecutor {
   void deposit(Place place);
   bool in_shadow(Place place, Draws& draws) const;
   bool inside(int& u, int& v) const;
+  /// Bedrock under a cell, without a look into memory where it is level.
+  std::int32_t ground(std::size_t cell) const { return has_relief_ ? bedrock_[cell] : 0; }
   double stay_chance(std::size_t cell) const;
   int hop_rows(std::int32_t height, Draws& draws) const;
   bool covered(std::size_t cell) const { return !cover_.empty() && cover_[cell] >= law_.covered_from; }
@@ -59,12 +61,14 @@ class SerialExecutor : public SlabExecutor {
   const Terrain* loaded_ = nullptr;
   bool open_ = false;
   bool has_relief_ = false;
-  std::vector<std::int32_t> surface_;  ///< along the wind fastest, so that a look upwind reads neighbours in memory
-  std::vector<std::int32_t> bedrock_;
+  // Heights over lowest_, along the wind fastest: a look upwind reads neighbours in memory. 16 bits, since the random
+  // walk through memory is what costs time.
+  std::vector<std::uint16_t> surface_;
+  std::vector<std::uint16_t> bedrock_;
   std::vector<std::uint8_t> cover_;
   std::vector<std::uint32_t> order_;
 
-  // How many cells have each height (from lowest_ up): the highest cell and Bishop's sum come from it at once.
+  // How many cells have each height over lowest_: the highest cell and Bishop's sum come from it at once.
   std::vector<std::int64_t> height_count_;
   std::int32_t lowest_ = 0;
   std::int32_t highest_ = 0;

@@ -10,14 +10,14 @@
 namespace erg {
 
 /// What a random byte in a sub-sweep is for.
-enum class Draw : std::uint32_t { poll = 1, hop = 2, cover = 3, inflow = 4, first_landing = 5 };
+enum class Draw : std::uint32_t { poll = 1, hop, cover, inflow, first_landing, second_landing };
 
 /// The random word of one row (or block of rows) of lines in a sub-sweep.
 ERG_CELL_RULE std::uint64_t row_word(std::uint64_t sweep_word, std::uint32_t row) {
   return mix64(sweep_word + 0x9e3779b97f4a7c15u * (row + 1));
 }
 
-/// The key of one draw in a row. Landing draws of the second, third ... slab at a cell follow `first_landing`.
+/// The key of one draw in a row. Landing draws of the third, fourth ... slab at a cell follow `second_landing`.
 ERG_CELL_RULE std::uint32_t draw_key(std::uint64_t row_word, std::uint32_t draw) {
   return mix32(static_cast<std::uint32_t>(row_word >> (draw & 1 ? 32 : 0)) + draw * 0x85ebca6bu);
 }
@@ -31,6 +31,13 @@ ERG_CELL_RULE std::uint32_t quad_word(std::uint32_t key, std::uint32_t quad) { r
 /// The random byte of one line.
 ERG_CELL_RULE std::uint32_t line_byte(std::uint32_t key, std::uint32_t line) {
   return (quad_word(key, line >> 2) >> (8 * (line & 3))) & 0xff;
+}
+
+/// Further random bytes for the same lines, cheaper than a fresh word: from a quad's word of the first landing draw,
+/// that of its second landing or of its hops.
+ERG_CELL_RULE std::uint32_t next_word(std::uint32_t word, Draw draw) {
+  word = (word ^ (word >> 15)) * (draw == Draw::hop ? 0x9e3779b1u : 0x85ebca77u);
+  return word ^ (word >> 16);
 }
 
 /// A chance in 1/256, rounded at random with the row's own word so that its mean is exact: 0 never, 256 always.

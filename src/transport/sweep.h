@@ -6,25 +6,45 @@
 // `before` is frozen: all decisions read it; plane `after` is written. Slabs in the air wait in a *ring* of rows.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
+#include "core/cell_rule.h"
 #include "transport/executor.h"
 
 namespace erg {
 
 /// Lines that one strip holds at most; its scratch rows have this stride.
-inline constexpr int strip_lines = 256;
-/// Rows of a band: slides inside bands come first, then the seams between them.
-inline constexpr int band_rows = 32;
+inline constexpr int strip_lines = 512;
+/// Rows of a tile: slides inside tiles come first, then the seams between them.
+inline constexpr int tile_rows = 32;
 /// Slabs landing at one place that 8-bit lanes can count; more makes the sub-sweep start again with 16-bit lanes.
 inline constexpr int narrow_arrivals = 100;
+
+/// How a plane of the grid lies in memory: cut into blocks of columns, each whole and one after another, so that
+/// threads which work on different columns touch different memory (and what their prefetchers read ahead is their own).
+struct PlaneLayout {
+  int width = 0;
+  int length = 0;
+  int block_columns = 0;  ///< columns of a block; the last may have fewer
+  int blocks = 0;
+  int pitch = 0;  ///< lanes from one row of a block to the next
+  std::size_t block_size = 0;
+
+  ERG_CELL_RULE std::size_t at(int block, int column_in_block, int row) const {
+    return static_cast<std::size_t>(block) * block_size +
+           static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch) + static_cast<std::size_t>(column_in_block);
+  }
+  ERG_CELL_RULE int columns_of(int block) const {
+    return block + 1 < blocks ? block_columns : width - block * block_columns;
+  }
+};
 
 /// Everything that all strips of a sub-sweep share. `Lane` counts slabs: 8 or 16 bits.
 template <typename Lane>
 struct SweepPlan {
-  int width = 0;
-  int length = 0;
+  PlaneLayout layout;
   const Lane* before = nullptr;
   Lane* after = nullptr;
   const Lane* bedrock = nullptr;            ///< null where all bedrock is level (then it is 0)
@@ -84,8 +104,7 @@ struct Strip {
 /// Slides of one sub-sweep: what all bands share.
 template <typename Lane>
 struct SlidePlan {
-  int width = 0;
-  int length = 0;
+  PlaneLayout layout;
   Lane* heights = nullptr;
   const Lane* bedrock = nullptr;         ///< null where level
   const Lane* steps = nullptr;           ///< standing step of each cell; null: `step` everywhere
@@ -94,7 +113,15 @@ struct SlidePlan {
   int diagonal_step = 3;
   bool diagonals = false;
   bool open = false;
-  std::uint8_t order[8] = {};  ///< edge classes in the order of this sub-sweep
+  std::uint8_t order[8] = {};  ///< edge classes (EdgeClass) in the order of this sub-sweep
+};
+
+/// A block's cells in some of its rows, which slide by themselves. Tiles are a part of the rules: they depend on the
+/// grid alone.
+struct SlideTile {
+  int block = 0;
+  int first_row = 0;
+  int end_row = 0;
 };
 
 /// Edge classes: edges of one class share no cell.
@@ -111,10 +138,11 @@ enum EdgeClass : std::uint8_t {
 
 template <typename Lane>
 struct SweepKernels {
-  void (*convey)(const SweepPlan<Lane>&, Strip<Lane>&);  ///< rows 0 ... length - 1 of a strip's lines
-  void (*carry)(const SweepPlan<Lane>&, Strip<Lane>&);   ///< slabs still in the air go on over the torus edge
-  void (*slide_band)(const SlidePlan<Lane>&, int first_row, int end_row);
-  void (*slide_seam)(const SlidePlan<Lane>&, int lower_row, int upper_row);
+  void (*convey)(const SweepPlan<Lane>&, Strip<Lane>&);          ///< rows 0 ... length - 1 of a strip's lines
+  void (*carry)(const SweepPlan<Lane>&, Strip<Lane>&);           ///< slabs still in the air go on over the torus edge
+  void (*slide_tile)(const SlidePlan<Lane>&, const SlideTile&);  ///< all edges inside a tile
+  void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to the tile above it
+  void (*slide_column_seam)(const SlidePlan<Lane>&, int left, int right);  ///< edges between two blocks
 };
 
 template <typename Lane>

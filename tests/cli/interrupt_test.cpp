@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 TEST(Interrupt, LeavesACheckpointThatGoesOnToTheSameBits) {
   const ScratchFolder folder;
-  // Rows come every step, so the CSV tells that the run is under way; and so many steps that it cannot end by itself.
+  // The first checkpoint tells that the run is under way; it has so many steps that it cannot end by itself.
   const std::string config = folder.write("small.json", small_config(1000000));
   Program program(folder, {"run", config, "--out", "out", "--format", "csv,checkpoint", "--every", "50", "--quiet"});
   const std::string first_checkpoint = folder.file("out/small-000050.checkpoint");

@@ -1,0 +1,256 @@
+// The parallel executor's planes: the terrain in the wind's frame, and what the law means on it before a step.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "transport/fixed_point.h"
+#include "transport/parallel_executor.h"
+
+namespace erg {
+namespace {
+
+/// Cuts planes of this size into blocks of up to 512 columns, two at least from 256 columns on.
+PlaneLayout plane_layout(int width, int length) {
+  const auto whole_lines = [](int columns) { return (columns + 63) / 64 * 64; };
+  PlaneLayout layout;
+  layout.width = width;
+  layout.length = length;
+  const int wanted = width < 256 ? 1 : std::max(2, width / 512);
+  layout.block_columns = whole_lines((width + wanted - 1) / wanted);
+  layout.blocks = (width + layout.block_columns - 1) / layout.block_columns;
+  // Never a power of two, or the rows of a block would crowd into a few sets of the processor's caches.
+  layout.pitch = layout.block_columns + 64;
+  layout.block_size = static_cast<std::size_t>(layout.pitch) * static_cast<std::size_t>(length);
+  return layout;
+}
+
+}  // namespace
+
+void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
+  const auto bedrock = terrain.bedrock().cells();
+  const auto mobile = terrain.mobile().cells();
+  frame_ = frame;
+  layout_ = plane_layout(frame.width, frame.length);
+  open_ = terrain.boundary() == Boundary::open;
+  base_ = check_height(terrain);
+  relief_ = false;
+  highest_ = 0;
+  bedrock_total_ = 0;
+  mobile_total_ = 0;
+  for (std::size_t cell = 0; cell < mobile.size(); ++cell) {
+    relief_ = relief_ || bedrock[cell] != base_;
+    highest_ = std::max(highest_, bedrock[cell] - base_ + mobile[cell]);
+    bedrock_total_ += bedrock[cell];
+    mobile_total_ += mobile[cell];
+  }
+  narrow_ = narrow_fits(highest_);
+  if (narrow_) {
+    load_heights<std::uint8_t>(terrain);
+  } else {
+    load_heights<std::uint16_t>(terrain);
+  }
+  cover_loaded_ = false;
+  loaded_ = &terrain;
+  revision_ = terrain.revision();
+}
+
+/// Calls visit(cell of the frame's plane, cell of the terrain) for all cells, in blocks that suit both orders of
+/// memory.
+template <typename Visit>
+void ParallelExecutor::visit_cells(const Visit& visit) {
+  constexpr int block_rows = 16;
+  const int blocks = (frame_.length + block_rows - 1) / block_rows;
+  team_.run([&](int member) {
+    for (int block = member; block < blocks; block += team_.size()) {
+      const int first = block * block_rows;
+      const int end = std::min(frame_.length, first + block_rows);
+      for (int u = 0; u < frame_.width; ++u) {
+        const std::size_t column = layout_.at(u / layout_.block_columns, u % layout_.block_columns, 0);
+        for (int v = first; v < end; ++v) {
+          const std::size_t row = static_cast<std::size_t>(v) * static_cast<std::size_t>(layout_.pitch);
+          visit(column + row, frame_.cell(u, v));
+        }
+      }
+    }
+  });
+}
+
+template <typename Lane>
+void ParallelExecutor::load_heights(const Terrain& terrain) {
+  Planes<Lane>& mine = planes<Lane>();
+  mine.before.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
+  mine.after.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
+  mine.bedrock.resize(relief_ ? layout_.block_size * static_cast<std::size_t>(layout_.blocks) : 0);
+  const auto bedrock = terrain.bedrock().cells();
+  const auto mobile = terrain.mobile().cells();
+  visit_cells([&](std::size_t here, std::size_t there) {
+    mine.before[here] = static_cast<Lane>(bedrock[there] + mobile[there] - base_);
+    if (relief_) mine.bedrock[here] = static_cast<Lane>(bedrock[there] - base_);
+  });
+}
+
+void ParallelExecutor::settle(Terrain& terrain) {
+  if (loaded_ != &terrain || revision_ != terrain.revision()) return;
+  Grid<std::int32_t>& mobile = terrain.edit_mobile();
+  const auto write = [&](const auto& mine) {
+    visit_cells([&](std::size_t here, std::size_t there) {
+      mobile[there] = mine.before[here] - (relief_ ? mine.bedrock[here] : 0);
+    });
+  };
+  if (narrow_) {
+    write(narrow_planes_);
+  } else {
+    write(wide_planes_);
+  }
+  revision_ = terrain.revision();
+}
+
+void ParallelExecutor::change_lanes(bool narrow) {
+  const auto convert = [](const auto& from, auto& to) {
+    to.before.assign(from.before.begin(), from.before.end());
+    to.after.resize(from.after.size());
+    to.bedrock.assign(from.bedrock.begin(), from.bedrock.end());
+  };
+  if (narrow) {
+    convert(wide_planes_, narrow_planes_);
+    wide_planes_ = {};
+  } else {
+    convert(narrow_planes_, wide_planes_);
+    narrow_planes_ = {};
+  }
+  narrow_ = narrow;
+  cover_loaded_ = false;
+}
+
+// --- what the law means on this grid ---
+
+template <typename Lane>
+void ParallelExecutor::load_cover(const SlabLaw& law) {
+  if (law.cover == nullptr) {
+    cover_.clear();
+    cover_loaded_ = false;
+    planes<Lane>().steps.clear();
+    planes<Lane>().diagonal_steps.clear();
+    return;
+  }
+  if (cover_loaded_ && cover_revision_ == law.cover_revision) return;
+  const auto cover = law.cover->cells();
+  cover_.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
+  visit_cells([&](std::size_t here, std::size_t there) { cover_[here] = cover[there]; });
+
+  Planes<Lane>& mine = planes<Lane>();
+  const auto lay_steps = [&](AlignedVector<Lane>& steps, int bare, int covered) {
+    steps.resize(bare == covered ? 0 : cover_.size());
+    for (std::size_t cell = 0; cell < steps.size(); ++cell) {
+      steps[cell] = static_cast<Lane>(cover_[cell] >= law.covered_from ? covered : bare);
+    }
+  };
+  lay_steps(mine.steps, law.bare.straight, law.covered.straight);
+  lay_steps(mine.diagonal_steps, law.bare.diagonal, law.covered.diagonal);
+  cover_revision_ = law.cover_revision;
+  cover_loaded_ = true;
+}
+
+/// Marks the rows whose bedrock may stop a slab: only where it stands higher than a step over the lowest ground.
+void ParallelExecutor::prepare_walls(const SlabLaw& law) {
+  if (!law.obstacles || !relief_) {
+    wall_rows_.clear();
+    return;
+  }
+  wall_rows_.assign(static_cast<std::size_t>(frame_.length), 0);
+  const auto mark = [&](const auto& bedrock) {
+    for (int block = 0; block < layout_.blocks; ++block) {
+      for (int v = 0; v < frame_.length; ++v) {
+        const auto row = bedrock.begin() + static_cast<std::ptrdiff_t>(layout_.at(block, 0, v));
+        if (*std::max_element(row, row + layout_.columns_of(block)) > law.bare.straight) {
+          wall_rows_[static_cast<std::size_t>(v)] = 1;
+        }
+      }
+    }
+  };
+  if (narrow_) {
+    mark(narrow_planes_.bedrock);
+  } else {
+    mark(wide_planes_.bedrock);
+  }
+}
+
+/// Fills the table of hops in rows * 256, one entry for each height over the base (or one for all).
+template <typename Lane>
+void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength) {
+  const auto rows_256 = [&](double above_reference) {
+    const double rows = law.hop.cells(strength, above_reference) * frame_.cosine;
+    return static_cast<std::uint32_t>(std::max<std::int64_t>(1 << fixed_point_bits, fixed_point(rows)));
+  };
+  if (!law.hop.depends_on_height()) {
+    hop_table_.assign(1, rows_256(0));
+    return;
+  }
+  const double mean = static_cast<double>(bedrock_total_ + mobile_total_) / static_cast<double>(cells()) - base_;
+  const double deviation = law.hop.deviation_weight != 0 ? mean_deviation<Lane>(mean) : 0;
+  const double reference = mean - law.hop.deviation_weight * deviation;
+  hop_table_.resize(std::size_t{1} << (8 * sizeof(Lane)));
+  for (std::size_t height = 0; height < hop_table_.size(); ++height) {
+    hop_table_[height] = rows_256(static_cast<double>(height) - reference);
+  }
+}
+
+/// Mean of |h - mean| over the cells, from counts of heights: the same sum on any number of threads.
+template <typename Lane>
+double ParallelExecutor::mean_deviation(double mean) {
+  const AlignedVector<Lane>& heights = planes<Lane>().before;
+  std::vector<std::vector<std::int64_t>> counts(static_cast<std::size_t>(team_.size()));
+  team_.run([&](int member) {
+    std::vector<std::int64_t>& mine = counts[static_cast<std::size_t>(member)];
+    mine.assign(static_cast<std::size_t>(highest_) + 1, 0);
+    const auto [first, end] = share(frame_.length, member);
+    for (int block = 0; block < layout_.blocks; ++block) {
+      for (int v = first; v < end; ++v) {
+        const Lane* row = heights.data() + layout_.at(block, 0, v);
+        for (int u = 0; u < layout_.columns_of(block); ++u) ++mine[row[u]];
+      }
+    }
+  });
+  double sum = 0;
+  for (std::size_t height = 0; height <= static_cast<std::size_t>(highest_); ++height) {
+    std::int64_t count = 0;
+    for (const auto& mine : counts) count += mine[height];
+    sum += static_cast<double>(count) * std::abs(static_cast<double>(height) - mean);
+  }
+  return sum / static_cast<double>(cells());
+}
+
+/// Cuts the lines into strips, one or more for each member, with rings of this many rows.
+template <typename Lane>
+void ParallelExecutor::prepare_strips(int ring_rows) {
+  Planes<Lane>& mine = planes<Lane>();
+  const int lines_each = (frame_.width + team_.size() - 1) / team_.size();
+  const int lines = std::min(strip_lines, (lines_each + 63) / 64 * 64);
+  const auto count = static_cast<std::size_t>((frame_.width + lines - 1) / lines);
+  const std::size_t ring = static_cast<std::size_t>(ring_rows) * strip_lines;
+  if (mine.strips.size() != count) mine.strips = std::vector<Strip<Lane>>(count);
+  if (mine.rings.size() != ring * count) mine.rings.assign(ring * count, 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    Strip<Lane>& strip = mine.strips[k];
+    strip.first = static_cast<int>(k) * lines;
+    strip.lines = std::min(lines, frame_.width - strip.first);
+    strip.ring = mine.rings.data() + ring * k;
+  }
+}
+
+/// Rows of ring that hold the longest hop from ground up to `highest`: a power of two.
+int ParallelExecutor::ring_rows(int highest) const {
+  const std::size_t heights = std::min(hop_table_.size(), static_cast<std::size_t>(highest) + 1);
+  const std::uint32_t longest =
+      *std::max_element(hop_table_.begin(), hop_table_.begin() + static_cast<std::ptrdiff_t>(heights));
+  return static_cast<int>(std::bit_ceil((longest >> fixed_point_bits) + 2));
+}
+
+template void ParallelExecutor::load_cover<std::uint8_t>(const SlabLaw&);
+template void ParallelExecutor::load_cover<std::uint16_t>(const SlabLaw&);
+template void ParallelExecutor::prepare_hops<std::uint8_t>(const SlabLaw&, double);
+template void ParallelExecutor::prepare_hops<std::uint16_t>(const SlabLaw&, double);
+template void ParallelExecutor::prepare_strips<std::uint8_t>(int);
+template void ParallelExecutor::prepare_strips<std::uint16_t>(int);
+
+}  // namespace erg

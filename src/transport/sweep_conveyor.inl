@@ -1,0 +1,580 @@
+// Part of sweep_kernels.inl: one strip of lines in one sub-sweep. Which slabs lift, how they fly, where they stay.
+
+/// Scratch of one row of a strip. Masks are 0 or all ones.
+template <typename Lane>
+struct Row {
+  alignas(64) Lane height[strip_lines];
+  alignas(64) Lane bedrock[strip_lines];
+  alignas(64) Lane dark[strip_lines];
+  alignas(64) Lane random[strip_lines];
+  alignas(64) Lane held[strip_lines];       // mask: nothing lifts here
+  alignas(64) Lane threshold[strip_lines];  // a slab stays if its random byte is below
+  alignas(64) Lane sure[strip_lines];       // mask: every slab stays
+  alignas(64) Lane lifted[strip_lines];
+  alignas(64) Lane landed[strip_lines];
+  alignas(64) Lane leaving[strip_lines];
+  alignas(64) std::uint8_t cover[strip_lines];
+  alignas(64) Lane next_bedrock[strip_lines];
+  alignas(64) std::uint32_t landing_words[strip_lines / 4];
+};
+
+/// Sums of per-lane counts, flushed before they can overflow.
+template <typename Lane>
+struct LaneSums {
+  using Wide = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
+  static constexpr int rows_before_flush = 120;
+  alignas(64) Lane polls[strip_lines];
+  alignas(64) Lane lifts[strip_lines];
+  alignas(64) Wide near_hops[strip_lines];
+  alignas(64) Wide far_hops[strip_lines];
+};
+
+template <typename Lane>
+class Conveyor {
+ public:
+  Conveyor(const SweepPlan<Lane>& plan, Strip<Lane>& strip)
+      : plan_(plan),
+        strip_(strip),
+        lanes_((strip.lines + 63) / 64 * 64),
+        walk_(plan.layout, plan.drift, plan.phase, strip.first, strip.lines) {
+    std::memset(&row_, 0, sizeof row_);
+    std::memset(&sums_, 0, sizeof sums_);
+  }
+
+  void convey() {
+    strip_.counts = SweepCounts{};
+    strip_.last_arrival = -1;
+    std::memset(strip_.line, 0, sizeof strip_.line);
+    std::memset(strip_.near, 0, sizeof strip_.near);
+    if (plan_.open) {
+      walk_.start(0);
+    } else {
+      warm_up();
+    }
+    const int block = plan_.polled_row ? plan_.sweeps : plan_.sweeps / 2;
+    int row_in_block = 0;
+    for (int y = 0; y < plan_.layout.length; ++y) {
+      if (row_in_block == 0) draw_polls(y, block);
+      read_row(y, y);
+      if (plan_.open) cross_open_edges(y);
+      find_shadow();
+      decide(y, static_cast<Lane>(row_in_block));
+      if (strip_.counts.crowded) return;
+      write_row(y);
+      walk_.go_on();
+      if (++row_in_block == block) row_in_block = 0;
+    }
+    flush_sums();
+    if (plan_.open) drop_all(plan_.layout.length);
+  }
+
+  void carry() {
+    if (strip_.last_arrival < plan_.layout.length) return;
+    walk_.start(plan_.layout.length);
+    const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan_.layout.length;
+    std::memset(strip_.target, 0xff, sizeof strip_.target);
+    int y = 0;
+    for (std::int64_t flown = plan_.layout.length; flown <= strip_.last_arrival; ++flown) {
+      read_row(y, flown);
+      find_shadow();
+      if (flown > last_free_row) std::memset(row_.dark, 0xff, sizeof row_.dark);
+      decide(flown, 0);
+      if (strip_.counts.crowded) return;
+      add_row(y);
+      walk_.go_on();
+      if (++y == plan_.layout.length) y = 0;
+    }
+    flush_sums();
+  }
+
+ private:
+  using Shadow = typename Strip<Lane>::Shadow;
+  static constexpr Lane all_ones = static_cast<Lane>(~Lane{0});
+  static constexpr int lanes_per_word = 8 / static_cast<int>(sizeof(Lane));
+  static constexpr int lane_bits = 8 * static_cast<int>(sizeof(Lane));
+
+  // --- lines and rows ---
+
+  /// Reads the frozen surface. `flown` is the row counted on over the torus edge: it keys the random numbers.
+  void read_row(int y, std::int64_t flown) {
+    walk_.copy_in(row_.height, plan_.before, y);
+    // Rows of a column lie too far apart for the processor to foresee them.
+    const std::size_t ahead = walk_.first_cell(y + prefetch_rows < plan_.layout.length ? y + prefetch_rows : y);
+    for (int lane = 0; lane < strip_.lines; lane += 64 / static_cast<int>(sizeof(Lane))) {
+      __builtin_prefetch(plan_.before + ahead + lane);
+      __builtin_prefetch(plan_.after + ahead + lane, 1);
+    }
+    if (plan_.bedrock) walk_.copy_in(row_.bedrock, plan_.bedrock, y);
+    if (plan_.cover) walk_.copy_in(row_.cover, plan_.cover, y);
+    row_word_ = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
+    y_ = y;
+  }
+
+  void write_row(int y) {
+    const Lane* __restrict landed = row_.landed;
+    const Lane* __restrict lifted = row_.lifted;
+    Lane* __restrict height = row_.height;
+    Lane highest = 0;
+    ERG_EACH(i, lanes_) {
+      const Lane now = static_cast<Lane>(height[i] + landed[i] - lifted[i]);
+      height[i] = now;
+      highest = now > highest ? now : highest;
+    }
+    if (highest > strip_.counts.highest) strip_.counts.highest = highest;
+    walk_.for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+      std::memcpy(plan_.after + cell, height + lane, count * sizeof(Lane));
+    });
+    if (most_landed_ > strip_.counts.most_landed) strip_.counts.most_landed = most_landed_;
+  }
+
+  void add_row(int y) {
+    if (most_landed_ == 0) return;
+    walk_.for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+      Lane* __restrict out = plan_.after + cell;
+      const Lane* __restrict landed = row_.landed + lane;
+      ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<Lane>(out[i] + landed[i]);
+    });
+    if (most_landed_ > strip_.counts.most_carried) strip_.counts.most_carried = most_landed_;
+  }
+
+  // --- shadow ---
+
+  void warm_up() {
+    walk_.start(-static_cast<std::int64_t>(plan_.warm_up));
+    int y = plan_.layout.length - plan_.warm_up % plan_.layout.length;
+    if (y == plan_.layout.length) y = 0;
+    for (int left = plan_.warm_up; left > 0; --left) {
+      walk_.copy_in(row_.height, plan_.before, y);
+      find_shadow();
+      walk_.go_on();
+      if (++y == plan_.layout.length) y = 0;
+    }
+  }
+
+  /// Which lanes lie in shadow, and the shadow line for the next row.
+  void find_shadow() {
+    const Lane* __restrict height = row_.height;
+    Lane* __restrict dark = row_.dark;
+    Shadow* __restrict line = strip_.line;
+    const Shadow fall = static_cast<Shadow>(plan_.row_fall);
+    if (!plan_.oblique) {
+      ERG_EACH(i, lanes_) {
+        const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
+        dark[i] = top < line[i] ? all_ones : Lane{0};
+        const Shadow higher = top > line[i] ? top : line[i];
+        line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
+      }
+      return;
+    }
+    Shadow* __restrict near = strip_.near;
+    const Shadow near_fall = static_cast<Shadow>(plan_.adjacent_fall);
+    ERG_EACH(i, lanes_) {
+      const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
+      const Shadow shade = line[i] > near[i] ? line[i] : near[i];
+      dark[i] = top < shade ? all_ones : Lane{0};
+      const Shadow higher = top > line[i] ? top : line[i];
+      line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
+      near[i] = static_cast<Shadow>((top > near_fall ? top : near_fall) - near_fall);
+    }
+  }
+
+  // --- polls ---
+
+  /// Each line is polled in at most one row of each block (engine: K / 2 rows with probability 1/2, or a permutation of
+  /// K rows over K sub-sweeps).
+  void draw_polls(int y, int block) {
+    const std::uint64_t word = row_word(plan_.poll_word, static_cast<std::uint32_t>(y / block));
+    const std::uint32_t key = draw_key(word, Draw::poll);
+    fill_random(strip_.target, key);
+    Lane* __restrict target = strip_.target;
+    const Lane mask = static_cast<Lane>(plan_.sweeps - 1);
+    if (plan_.polled_row) {
+      for (int i = 0; i < strip_.lines; ++i) target[i] = plan_.polled_row[target[i]];
+    } else {
+      ERG_EACH(i, lanes_) target[i] = static_cast<Lane>(target[i] & mask);
+    }
+    for (int i = strip_.lines; i < lanes_; ++i) target[i] = all_ones;
+    const Lane rows = static_cast<Lane>(plan_.layout.length - y < block ? plan_.layout.length - y : block);
+    Lane* __restrict polls = sums_.polls;
+    ERG_EACH(i, lanes_) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
+  }
+
+  /// Random bytes for all lanes, of a fresh draw.
+  void fill_random(Lane* lanes, std::uint32_t key) const {
+    const std::uint32_t first = static_cast<std::uint32_t>(strip_.first) / 4;
+    std::uint32_t words[strip_lines / 4];
+    ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
+    spread(words, lanes);
+  }
+
+  /// The same for the draws of the first landing, from whose words further ones follow.
+  void fill_landing_random() {
+    const std::uint32_t first = static_cast<std::uint32_t>(strip_.first) / 4;
+    const std::uint32_t key = draw_key(row_word_, Draw::first_landing);
+    std::uint32_t* __restrict words = row_.landing_words;
+    ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
+    spread(words, row_.random);
+  }
+
+  template <Draw draw>
+  void fill_next_random() {
+    std::uint32_t words[strip_lines / 4];
+    const std::uint32_t* __restrict landing_words = row_.landing_words;
+    ERG_EACH(q, lanes_ / 4) words[q] = next_word(landing_words[q], draw);
+    spread(words, row_.random);
+  }
+
+  /// Cuts words into bytes, one for each lane (little-endian).
+  void spread(const std::uint32_t* words, Lane* lanes) const {
+    if constexpr (sizeof(Lane) == 1) {
+      std::memcpy(lanes, words, static_cast<std::size_t>(lanes_));
+    } else {
+      for (int i = 0; i < lanes_; ++i) lanes[i] = static_cast<Lane>(words[i / 4] >> (8 * (i % 4)) & 0xff);
+    }
+  }
+
+  // --- lifting and landing ---
+
+  /// Everything that happens in one row: which slabs lift, which stay, and where the others come down next.
+  void decide(std::int64_t flown, Lane row_in_block) {
+    Lane* arrivals = strip_.ring + ring_start(flown);
+    judge_ground();
+    fill_landing_random();
+    const Lane most = lift_and_land(arrivals, row_in_block);
+    if (sizeof(Lane) == 1 && most > narrow_arrivals) {
+      strip_.counts.crowded = true;
+      return;
+    }
+    most_landed_ = most > 0 ? 1 : 0;
+    if (most > 1) land_second(arrivals);
+    if (most > 2) land_others(arrivals);
+    if (most > 0) std::memset(arrivals, 0, static_cast<std::size_t>(lanes_) * sizeof(Lane));
+    if (plan_.wall_rows) meet_walls(flown);
+    if (any_leaving_) launch(flown);
+    if (++rows_summed_ == LaneSums<Lane>::rows_before_flush) flush_sums();
+  }
+
+  std::size_t ring_start(std::int64_t flown) const {
+    return static_cast<std::size_t>(flown & (plan_.ring_rows - 1)) * strip_lines;
+  }
+
+  /// Where slabs may lift, and how likely they stay.
+  void judge_ground() {
+    const std::uint32_t on_sand = byte_chance(plan_.p_sand_16, row_word_);
+    const std::uint32_t on_bare = byte_chance(plan_.p_bare_16, row_word_);
+    const Lane sand_limit = static_cast<Lane>(on_sand > 255 ? 255 : on_sand);
+    const Lane bare_limit = static_cast<Lane>(on_bare > 255 ? 255 : on_bare);
+    const Lane sand_sure = on_sand > 255 ? all_ones : Lane{0};
+    const Lane bare_sure = on_bare > 255 ? all_ones : Lane{0};
+    const Lane dark_holds = plan_.lift_in_shadow ? Lane{0} : all_ones;
+    const Lane* __restrict height = row_.height;
+    const Lane* __restrict bedrock = row_.bedrock;
+    const Lane* __restrict dark = row_.dark;
+    Lane* __restrict held = row_.held;
+    Lane* __restrict threshold = row_.threshold;
+    Lane* __restrict sure = row_.sure;
+    ERG_EACH(i, lanes_) {
+      const Lane sand = height[i] != bedrock[i] ? all_ones : Lane{0};
+      held[i] = static_cast<Lane>(static_cast<Lane>(~sand) | (dark[i] & dark_holds));
+      threshold[i] = sand ? sand_limit : bare_limit;
+      sure[i] = static_cast<Lane>(dark[i] | (sand ? sand_sure : bare_sure));
+    }
+    if (plan_.cover) judge_cover();
+  }
+
+  void judge_cover() {
+    fill_random(row_.random, draw_key(row_word_, Draw::cover));
+    const std::uint8_t* __restrict cover = row_.cover;
+    const Lane* __restrict random = row_.random;
+    Lane* __restrict held = row_.held;
+    Lane* __restrict threshold = row_.threshold;
+    Lane* __restrict sure = row_.sure;
+    ERG_EACH(i, lanes_) {
+      const Lane closed = cover[i] == 255 ? all_ones : Lane{0};
+      held[i] = static_cast<Lane>(held[i] | closed | (random[i] < cover[i] ? all_ones : Lane{0}));
+      sure[i] = static_cast<Lane>(sure[i] | closed);
+      // covered_chance of a chance below 256 stays below 256 while the cover is below 255.
+      const std::uint16_t chance = threshold[i];
+      threshold[i] = static_cast<Lane>(
+          chance + static_cast<std::uint16_t>(static_cast<std::uint16_t>(cover[i] * (256 - chance)) >> 8));
+    }
+  }
+
+  /// Lifts from polled lanes and lands the first slab of each arrival; returns the most arrivals at one lane.
+  Lane lift_and_land(const Lane* __restrict arrivals, Lane row_in_block) {
+    const Lane* __restrict random = row_.random;
+    const Lane* __restrict held = row_.held;
+    const Lane* __restrict threshold = row_.threshold;
+    const Lane* __restrict sure = row_.sure;
+    const Lane* __restrict target = strip_.target;
+    Lane* __restrict lifted = row_.lifted;
+    Lane* __restrict landed = row_.landed;
+    Lane* __restrict leaving = row_.leaving;
+    Lane* __restrict lift_sum = sums_.lifts;
+    Lane most = 0;
+    Lane any_leaving = 0;
+    ERG_EACH(i, lanes_) {
+      const Lane arriving = arrivals[i];
+      const Lane polled = target[i] == row_in_block ? all_ones : Lane{0};
+      const Lane lift = static_cast<Lane>(polled & static_cast<Lane>(~held[i]) & 1);
+      const Lane stays = static_cast<Lane>((random[i] < threshold[i] ? all_ones : Lane{0}) | sure[i]);
+      const Lane land = static_cast<Lane>((arriving != 0 ? all_ones : Lane{0}) & stays & 1);
+      const Lane leave = static_cast<Lane>(arriving - land + lift);
+      lifted[i] = lift;
+      landed[i] = land;
+      leaving[i] = leave;
+      lift_sum[i] = static_cast<Lane>(lift_sum[i] + lift);
+      most = arriving > most ? arriving : most;
+      any_leaving = static_cast<Lane>(any_leaving | leave);
+    }
+    any_leaving_ = any_leaving != 0;
+    return most;
+  }
+
+  /// The second slab that comes down at a lane: common enough that branches on it would not be foreseen.
+  void land_second(const Lane* __restrict arrivals) {
+    fill_next_random<Draw::second_landing>();
+    const Lane* __restrict random = row_.random;
+    const Lane* __restrict threshold = row_.threshold;
+    const Lane* __restrict sure = row_.sure;
+    Lane* __restrict landed = row_.landed;
+    Lane* __restrict leaving = row_.leaving;
+    ERG_EACH(i, lanes_) {
+      const Lane stays = static_cast<Lane>((random[i] < threshold[i] ? all_ones : Lane{0}) | sure[i]);
+      const Lane land = static_cast<Lane>((arrivals[i] > 1 ? all_ones : Lane{0}) & stays & 1);
+      landed[i] = static_cast<Lane>(landed[i] + land);
+      leaving[i] = static_cast<Lane>(leaving[i] - land);
+    }
+    most_landed_ = 2;
+  }
+
+  /// The third, fourth ... slab. Rare, so one lane at a time.
+  void land_others(const Lane* arrivals) {
+    for (int first = 0; first < lanes_; first += 64) {
+      for (std::uint64_t mask = lanes_above<2>(arrivals + first); mask != 0; mask &= mask - 1) {
+        const int lane = first + __builtin_ctzll(mask);
+        land_more(lane, arrivals[lane]);
+      }
+    }
+  }
+
+  void land_more(int lane, std::uint32_t arriving) {
+    const std::uint32_t before = row_.landed[lane];
+    std::uint32_t landed = before;
+    for (std::uint32_t slab = 2; slab < arriving; ++slab) {
+      const std::uint32_t key = draw_key(row_word_, static_cast<std::uint32_t>(Draw::first_landing) + slab);
+      const std::uint32_t byte = line_byte(key, static_cast<std::uint32_t>(strip_.first + lane));
+      landed += (row_.sure[lane] != 0 || byte < row_.threshold[lane]) ? 1 : 0;
+    }
+    row_.leaving[lane] = static_cast<Lane>(row_.leaving[lane] + before - landed);
+    row_.landed[lane] = static_cast<Lane>(landed);
+    most_landed_ = landed > most_landed_ ? landed : most_landed_;
+  }
+
+  /// One bit for each of 64 lanes: set where the lane holds more than `limit` (0 or 2). Lanes hold less than half of
+  /// what they can, so an addition carries into a lane's top bit and no further.
+  template <int limit>
+  static std::uint64_t lanes_above(const Lane* lanes) {
+    constexpr bool bytes = sizeof(Lane) == 1;
+    constexpr std::uint64_t ones = bytes ? 0x0101010101010101u : 0x0001000100010001u;
+    constexpr std::uint64_t carry = ones * ((std::uint64_t{1} << (lane_bits - 1)) - 1 - limit);
+    // Multiplying gathers the top bits of a word's lanes in its uppermost bits, in order.
+    constexpr std::uint64_t gather = bytes ? 0x0102040810204080u : 0x0001000200040008u;
+    constexpr int gathered_at = bytes ? 56 : 48;
+    constexpr std::uint64_t gathered = (1u << lanes_per_word) - 1;
+    std::uint64_t mask = 0;
+    for (int word_number = 0; word_number < 64 / lanes_per_word; ++word_number) {
+      std::uint64_t word;
+      __builtin_memcpy(&word, lanes + word_number * lanes_per_word, 8);
+      const std::uint64_t top = ((word + carry) >> (lane_bits - 1)) & ones;
+      mask |= ((top * gather) >> gathered_at & gathered) << (word_number * lanes_per_word);
+    }
+    return mask;
+  }
+
+  // --- flight ---
+
+  /// Sends the slabs that leave this row to the row where they come down next.
+  void launch(std::int64_t flown) {
+    if (plan_.hop_by_height) {
+      launch_by_height(flown);
+      return;
+    }
+    const std::uint32_t rows_256 = plan_.hop_table[0];
+    const std::uint32_t near_rows = rows_256 >> fixed_point_bits;
+    const Lane far_below = static_cast<Lane>(rows_256 & 0xff);  // of 256: how often a hop is one row longer
+    const Lane* __restrict leaving = row_.leaving;
+    Lane* __restrict near_ring = strip_.ring + ring_start(flown + near_rows);
+    typename LaneSums<Lane>::Wide* __restrict near_sum = sums_.near_hops;
+    if (far_below == 0) {
+      ERG_EACH(i, lanes_) {
+        near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
+        near_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(near_sum[i] + leaving[i]);
+      }
+      expect(flown + near_rows);
+      return;
+    }
+    fill_next_random<Draw::hop>();
+    const Lane* __restrict random = row_.random;
+    Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
+    typename LaneSums<Lane>::Wide* __restrict far_sum = sums_.far_hops;
+    const Lane near_below = static_cast<Lane>(256 - far_below);
+    ERG_EACH(i, lanes_) {
+      // As hop_rows: one row more where the random byte carries the fraction over.
+      const Lane far = random[i] >= near_below ? leaving[i] : Lane{0};
+      const Lane near = static_cast<Lane>(leaving[i] - far);
+      near_ring[i] = static_cast<Lane>(near_ring[i] + near);
+      far_ring[i] = static_cast<Lane>(far_ring[i] + far);
+      near_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(near_sum[i] + near);
+      far_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(far_sum[i] + far);
+    }
+    expect(flown + near_rows + 1);
+  }
+
+  void launch_by_height(std::int64_t flown) {
+    fill_next_random<Draw::hop>();
+    std::uint32_t longest = 0;
+    std::uint32_t fullest = 0;
+    std::int64_t rows_flown = 0;
+    for (int first = 0; first < lanes_; first += 64) {
+      for (std::uint64_t mask = lanes_above<0>(row_.leaving + first); mask != 0; mask &= mask - 1) {
+        const int lane = first + __builtin_ctzll(mask);
+        const std::uint32_t leaving = row_.leaving[lane];
+        const std::uint32_t rows = hop_rows(plan_.hop_table[row_.height[lane]], row_.random[lane]);
+        Lane& there = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(lane)];
+        const std::uint32_t now = there + leaving;
+        there = static_cast<Lane>(now);
+        fullest = now > fullest ? now : fullest;
+        longest = rows > longest ? rows : longest;
+        rows_flown += static_cast<std::int64_t>(rows) * leaving;
+      }
+    }
+    if (sizeof(Lane) == 1 && fullest > narrow_arrivals) strip_.counts.crowded = true;
+    strip_.counts.rows_flown += rows_flown;
+    expect(flown + longest);
+  }
+
+  void expect(std::int64_t row) {
+    if (row > strip_.last_arrival) strip_.last_arrival = row;
+  }
+
+  /// Algorithm 7 of Cimbura 2022: where bedrock stands too steeply in the next row, all that flies over here drops
+  /// here.
+  void meet_walls(std::int64_t flown) {
+    if (plan_.open && y_ == plan_.layout.length - 1) return;
+    const int next = y_ + 1 == plan_.layout.length ? 0 : y_ + 1;
+    if (!plan_.wall_rows[next]) return;
+    LineWalk next_row = walk_;
+    next_row.go_on();
+    next_row.copy_in(row_.next_bedrock, plan_.bedrock, next);
+    const bool leaves_sideways = plan_.open && next_row.stepped();
+    for (int i = 0; i < strip_.lines; ++i) {
+      if (row_.next_bedrock[i] <= row_.height[i] + plan_.wall_step) continue;
+      if (leaves_sideways && (walk_.column() + i) % plan_.layout.width == plan_.layout.width - 1) continue;
+      drop_here(i, flown);
+    }
+  }
+
+  void drop_here(int lane, std::int64_t flown) {
+    std::int64_t dropped = row_.leaving[lane];
+    row_.leaving[lane] = 0;
+    for (int rows = 1; rows < plan_.ring_rows; ++rows) {
+      Lane& flying = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(lane)];
+      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
+      dropped += flying;
+      flying = 0;
+    }
+    const std::int64_t landed = row_.landed[lane] + dropped;
+    if (sizeof(Lane) == 1 && landed > narrow_arrivals) {
+      strip_.counts.crowded = true;
+      return;
+    }
+    row_.landed[lane] = static_cast<Lane>(landed);
+    if (static_cast<std::uint32_t>(landed) > most_landed_) most_landed_ = static_cast<std::uint32_t>(landed);
+  }
+
+  // --- open edges ---
+
+  /// Lines that enter the grid at this row: what flew in them has left on the other side, and new slabs come in.
+  void cross_open_edges(int y) {
+    if (y == 0) {
+      for (int i = 0; i < strip_.lines; ++i) enter(i, y);
+      return;
+    }
+    if (!walk_.stepped()) return;
+    const int lane = walk_.column() == 0 ? 0 : plan_.layout.width - walk_.column();
+    if (lane >= strip_.lines) return;
+    drop_out(lane, y);
+    strip_.line[lane] = 0;
+    strip_.near[lane] = 0;
+    enter(lane, y);
+  }
+
+  void enter(int lane, int y) {
+    if (plan_.inflow <= 0) return;
+    const std::uint32_t key = draw_key(row_word_, Draw::inflow);
+    const std::uint32_t line = static_cast<std::uint32_t>(strip_.first + lane);
+    const std::uint32_t random = mix32(key ^ line * 0x9e3779b9u);
+    const int slabs = static_cast<int>(plan_.inflow + (random >> 16) * (1.0 / 65536));
+    const std::uint32_t rows_256 = plan_.hop_table[plan_.hop_by_height ? row_.height[lane] : 0];
+    for (int slab = 0; slab < slabs; ++slab) {
+      // Where in its hop a slab crosses the edge is random: it comes down up to one hop further on.
+      const std::uint32_t part = mix32(random + static_cast<std::uint32_t>(slab)) >> 16;
+      const std::int64_t row = y + static_cast<std::int64_t>((static_cast<std::uint64_t>(rows_256) * part) >> 24);
+      Lane& there = strip_.ring[ring_start(row) + static_cast<std::size_t>(lane)];
+      there = static_cast<Lane>(there + 1);
+      if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.crowded = true;
+      expect(row);
+    }
+    strip_.counts.slabs_in += slabs;
+  }
+
+  void drop_out(int lane, std::int64_t from_row) {
+    for (int rows = 0; rows < plan_.ring_rows; ++rows) {
+      Lane& flying = strip_.ring[ring_start(from_row + rows) + static_cast<std::size_t>(lane)];
+      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
+      strip_.counts.slabs_out += flying;
+      flying = 0;
+    }
+  }
+
+  void drop_all(std::int64_t from_row) {
+    if (strip_.last_arrival >= from_row) {
+      for (int lane = 0; lane < strip_.lines; ++lane) drop_out(lane, from_row);
+    }
+    strip_.last_arrival = -1;
+  }
+
+  // --- counts ---
+
+  void flush_sums() {
+    std::int64_t near = 0;
+    std::int64_t far = 0;
+    for (int i = 0; i < lanes_; ++i) {
+      strip_.counts.polls += sums_.polls[i];
+      strip_.counts.lifts += sums_.lifts[i];
+      near += sums_.near_hops[i];
+      far += sums_.far_hops[i];
+    }
+    if (!plan_.hop_by_height) {
+      const std::int64_t rows = plan_.hop_table[0] >> fixed_point_bits;
+      strip_.counts.rows_flown += near * rows + far * (rows + 1);
+    }
+    std::memset(&sums_, 0, sizeof sums_);
+    rows_summed_ = 0;
+  }
+
+  static constexpr int prefetch_rows = 6;
+
+  const SweepPlan<Lane>& plan_;
+  Strip<Lane>& strip_;
+  const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
+  LineWalk walk_;
+  std::uint64_t row_word_ = 0;
+  int y_ = 0;
+  std::uint32_t most_landed_ = 0;
+  bool any_leaving_ = false;
+  Row<Lane> row_;
+  LaneSums<Lane> sums_;
+  int rows_summed_ = 0;
+};

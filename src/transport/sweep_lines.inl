@@ -1,0 +1,75 @@
+// Part of sweep_kernels.inl: how a strip's lines are found in memory as they run down the wind.
+
+// A loop over lanes. The count is copied first: bytes may alias anything, so the compiler would read a member again.
+#define ERG_EACH(i, count) _Pragma("GCC ivdep") for (int i = 0, end_of_##i = (count); i < end_of_##i; ++i)
+
+/// Follows the lines of a strip from row to row: in which columns they stand, and where those lie in a plane.
+class LineWalk {
+ public:
+  LineWalk(const PlaneLayout& layout, std::int64_t drift, std::int64_t phase, int first_line, int lines)
+      : layout_(layout), drift_(drift), phase_(phase), first_line_(first_line), lines_(lines) {}
+
+  /// Stands in a row, which may lie before or beyond the grid.
+  void start(std::int64_t row) {
+    const std::int64_t offset = line_offset(row, drift_, phase_, layout_.length);
+    rest_ = row * drift_ + phase_ - offset * layout_.length;
+    const std::int64_t column = (first_line_ + offset) % layout_.width;
+    column_ = static_cast<int>(column < 0 ? column + layout_.width : column);
+    block_ = column_ / layout_.block_columns;
+    in_block_ = column_ - block_ * layout_.block_columns;
+    stepped_ = false;
+  }
+
+  /// Goes on to the next row.
+  void go_on() {
+    rest_ += drift_;
+    stepped_ = rest_ >= layout_.length;
+    if (!stepped_) return;
+    rest_ -= layout_.length;
+    if (++column_ == layout_.width) column_ = 0;
+    if (++in_block_ < layout_.columns_of(block_)) return;
+    in_block_ = 0;
+    if (++block_ == layout_.blocks) block_ = 0;
+  }
+
+  /// Column of the first line.
+  int column() const { return column_; }
+  /// Whether the lines have moved one column sideways at this row.
+  bool stepped() const { return stepped_; }
+  /// Where the first line's cell in row y lies in a plane.
+  std::size_t first_cell(int y) const { return layout_.at(block_, in_block_, y); }
+
+  /// Calls visit(first lane, cell of a plane, lanes) for each run of lanes that lie side by side in row y of a plane.
+  template <typename Visit>
+  void for_runs(int y, const Visit& visit) const {
+    int block = block_;
+    int column = in_block_;
+    for (int lane = 0; lane < lines_; column = 0) {
+      const int in_block = layout_.columns_of(block) - column;
+      const int left = lines_ - lane;
+      const int lanes = in_block < left ? in_block : left;
+      visit(lane, layout_.at(block, column, y), static_cast<std::size_t>(lanes));
+      lane += lanes;
+      block = block + 1 == layout_.blocks ? 0 : block + 1;
+    }
+  }
+
+  template <typename T>
+  void copy_in(T* lanes, const T* plane, int y) const {
+    for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+      std::memcpy(lanes + lane, plane + cell, count * sizeof(T));
+    });
+  }
+
+ private:
+  PlaneLayout layout_;
+  std::int64_t drift_;
+  std::int64_t phase_;
+  int first_line_;
+  int lines_;
+  std::int64_t rest_ = 0;  // (row * drift + phase) mod length
+  int column_ = 0;
+  int block_ = 0;     // of the column
+  int in_block_ = 0;  // the column's place in its block
+  bool stepped_ = false;
+};

@@ -1,0 +1,65 @@
+// The promise "the same seed gives the same dunes everywhere", held against hashes written down once: in Debug and
+// Release, on any number of threads. A change of rules changes them; then say so in CHANGELOG.md and write the new ones
+// here.
+#include <gtest/gtest.h>
+
+#include <iomanip>
+#include <sstream>
+
+#include "sim/simulation.h"
+
+namespace erg {
+namespace {
+
+struct Golden {
+  std::string name;
+  std::vector<std::string> settings;
+  std::string serial;
+  std::string cpu;
+};
+
+std::vector<Golden> golden_runs() {
+  return {
+      {"werner", {"model=werner"}, "baa628cda055260e", "37e56da2db1050c9"},
+      {"momiji", {"model=momiji"}, "6437c44d90990c50", "724a3639d4a4e9ce"},
+      {"bishop", {"model=bishop"}, "252d705cefe35981", "9aba01f4cb16b722"},
+      {"oblique", {"model=momiji", "wind.bearing=243"}, "7d71f7a50dbc81ee", "fd078b7029b6b4c1"},
+      {"nonrepeated", {"model=werner", "parameters.polling=nonrepeated"}, "5e36aaa81f2b1408", "be296b396d053120"},
+      {"forced", {"model=werner", "parameters.forced_erosion=true"}, "3be1317944196d12", "d2937e198a2df407"},
+      {"rocks", {"model=momiji", "scene.kind=rocks", "wind.bearing=280"}, "3ec432837b77f128", "1027bdd2e5415c6e"},
+      {"open",
+       {"model=werner", "grid.boundary=open", "grid.inflow=3", "parameters.neighbours=8"},
+       "bb18bff29a4ffcb3",
+       "60755298a3b484a6"},
+      {"uneven", {"model=bishop", "scene.kind=uneven", "scene.height=6"}, "966f55000b35ea5b", "8f9be66b3cbea1ea"},
+  };
+}
+
+std::string hash_after(const Golden& golden, const std::string& executor, int threads) {
+  Config config;
+  for (const std::string& setting : golden.settings) set_from_text(config, setting);
+  for (const std::string& setting : {std::string("grid.nx=96"), std::string("grid.ny=80"), std::string("run.seed=42"),
+                                     "run.executor=" + executor, "run.threads=" + std::to_string(threads)}) {
+    set_from_text(config, setting);
+  }
+  Simulation simulation(config);
+  for (int step = 0; step < 40; ++step) simulation.step();
+  std::ostringstream text;
+  text << std::hex << std::setfill('0') << std::setw(16) << state_hash(simulation.terrain());
+  return text.str();
+}
+
+TEST(Golden, SerialRuns) {
+  for (const Golden& golden : golden_runs()) EXPECT_EQ(hash_after(golden, "serial", 1), golden.serial) << golden.name;
+}
+
+TEST(Golden, CpuRunsOnAnyNumberOfThreads) {
+  for (const Golden& golden : golden_runs()) {
+    for (const int threads : {1, 2, 3, 8}) {
+      EXPECT_EQ(hash_after(golden, "cpu", threads), golden.cpu) << golden.name << ", " << threads << " threads";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace erg

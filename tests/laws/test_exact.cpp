@@ -1,0 +1,152 @@
+// Identities that follow from the rules by algebra.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+#include "transport/slab_law.h"
+#include "wind/shadow.h"
+#include "world.h"
+
+namespace erg::test {
+namespace {
+
+/// A law under which the bed stays flat: no shadow, slopes hardly slide, every cell polled once.
+SlabLaw flat_bed_law() {
+  SlabLaw law;
+  law.shadow_fall = 1000;  // a shadow line that falls this fast never shelters
+  law.bare = law.covered = {100, 100};
+  law.repeated_polling = false;
+  return law;
+}
+
+double mean_travel(const Machine& machine, SlabLaw law, std::int32_t sand) {
+  // Thick sand never bares the ground; the thin layer's case sets both chances alike.
+  Terrain terrain(Extent{200, 200}, 1, 1.0 / 3);
+  terrain.edit_mobile().fill(sand);
+  terrain.open_ledger();
+  const auto executor = make_executor(machine.options);
+  StepReport total;
+  for (std::uint64_t step = 0; step < 5; ++step) total += executor->step(terrain, law, {270, 5}, {11, step});
+  EXPECT_EQ(total.polls, 5 * 200 * 200) << machine.name;
+  EXPECT_EQ(total.lifts, total.polls) << machine.name;
+  return total.travel / static_cast<double>(total.lifts);
+}
+
+TEST(Exact, MeanTravelOnAFlatBedIsHopLengthOverChanceToStay) {
+  // 200 000 slabs, each a geometric number of hops: the standard error of the mean is below 0.02 cells.
+  for (const Machine& machine : machines()) {
+    SlabLaw law = flat_bed_law();
+    EXPECT_NEAR(mean_travel(machine, law, 60), 5 / 0.6, 0.08) << machine.name;
+    law.p_sand = law.p_bare;
+    EXPECT_NEAR(mean_travel(machine, law, 60), 5 / 0.4, 0.12) << machine.name;
+  }
+}
+
+TEST(Exact, CoverScalesLiftAndLanding) {
+  // rho = 0.4: a slab lifts with 0.6 and stays with p + rho (1 - p) = 0.76.
+  CoverField cover(Extent{200, 200}, 102);
+  for (const Machine& machine : machines()) {
+    SlabLaw law = flat_bed_law();
+    law.cover = &cover;
+    Terrain terrain(cover.extent(), 1, 1.0 / 3);
+    terrain.edit_mobile().fill(60);
+    terrain.open_ledger();
+    const auto executor = make_executor(machine.options);
+    const StepReport report = executor->step(terrain, law, {270, 5}, {3, 0});
+    EXPECT_NEAR(static_cast<double>(report.lifts) / 40000, 0.6, 0.012) << machine.name;
+    EXPECT_NEAR(report.travel / static_cast<double>(report.lifts), 5 / 0.76, 0.12) << machine.name;
+  }
+}
+
+TEST(Exact, FullCoverHoldsEverything) {
+  CoverField cover(Extent{40, 40}, 255);
+  for (const Machine& machine : machines()) {
+    World world{.extent = cover.extent()};
+    Terrain terrain = world.strewn();
+    SlabLaw law = flat_bed_law();
+    law.cover = &cover;
+    const std::uint64_t before = state_hash(terrain);
+    const auto executor = make_executor(machine.options);
+    EXPECT_EQ(executor->step(terrain, law, {270, 5}, {3, 0}).lifts, 0) << machine.name;
+    executor->settle(terrain);
+    EXPECT_EQ(state_hash(terrain), before) << machine.name;
+  }
+}
+
+TEST(Exact, StandingStepsOfPrintedAngles) {
+  EXPECT_EQ(standing_step(33.69, 1, 1.0 / 3), 2);  // tan = 2/3: exactly two slabs of a third
+  EXPECT_EQ(standing_step(30, 1, 1.0 / 3), 2);
+  EXPECT_EQ(standing_step(33.7, 1, 1.0 / 3), 3);
+  EXPECT_EQ(standing_step(30, 1, 0.1), 6);
+  EXPECT_EQ(standing_step(40, 1, 0.1), 9);
+  EXPECT_NEAR(shadow_fall(15, 1, 1.0 / 3), 0.804, 0.0005);
+}
+
+TEST(Exact, HopGrowsWithHeightAsPrinted) {
+  const HopLaw momiji{0.4, 0.002, 0};
+  EXPECT_DOUBLE_EQ(momiji.cells(5, 10), 5 + 4 + 0.2);
+  EXPECT_DOUBLE_EQ(momiji.cells(5, -5), 3);   // no square below the reference
+  EXPECT_DOUBLE_EQ(momiji.cells(5, -20), 1);  // never below one cell
+}
+
+TEST(Exact, NothingStandsSteeperThanRepose) {
+  for (const Machine& machine : machines()) {
+    World world{.extent = {64, 64}};
+    Terrain terrain = world.strewn();
+    // Full cover: no wind at work, only slides.
+    CoverField cover(world.extent, 255);
+    SlabLaw law;
+    law.cover = &cover;
+    terrain.edit_mobile()(20, 20) = 60;
+    terrain.open_ledger();
+    const auto executor = make_executor(machine.options);
+    if (executor->name() == "serial") continue;  // slides only where a slab moves
+    for (std::uint64_t step = 0; step < 30; ++step) executor->step(terrain, law, {270, 5}, {3, step});
+    executor->settle(terrain);
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        EXPECT_LE(std::abs(terrain.mobile()(x, y) - terrain.mobile().wrapped(x + 1, y)), law.bare.straight);
+        EXPECT_LE(std::abs(terrain.mobile()(x, y) - terrain.mobile().wrapped(x, y + 1)), law.bare.straight);
+      }
+    }
+    EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
+  }
+}
+
+TEST(Exact, ATallConeSlidesToTheSameSlopeInEveryAzimuthWithEightNeighbours) {
+  Terrain terrain(Extent{161, 161}, 1, 0.1);
+  for (int y = 0; y < 161; ++y) {
+    for (int x = 0; x < 161; ++x) {
+      const double radius = std::hypot(x - 80, y - 80);
+      terrain.edit_mobile()(x, y) = static_cast<std::int32_t>(std::max(0.0, 400 - 14 * radius));
+    }
+  }
+  terrain.open_ledger();
+  CoverField cover(terrain.extent(), 255);
+  SlabLaw law;
+  law.cover = &cover;
+  law.neighbours = 8;
+  law.bare = law.covered = StandingSteps::of_angle(33, 1, 0.1);
+  const auto executor = make_executor({.name = "cpu", .threads = 2});
+  for (std::uint64_t step = 0; step < 400; ++step) executor->step(terrain, law, {270, 5}, {3, step});
+  executor->settle(terrain);
+  // The foot of the cone, where it falls under 20 slabs, in 16 azimuths.
+  double nearest = 1e9;
+  double farthest = 0;
+  for (int k = 0; k < 16; ++k) {
+    const double azimuth = k * std::acos(-1.0) / 8;
+    double radius = 0;
+    while (radius < 79 && terrain.height(80 + static_cast<int>(std::lround(radius * std::cos(azimuth))),
+                                         80 + static_cast<int>(std::lround(radius * std::sin(azimuth)))) > 20) {
+      radius += 0.25;
+    }
+    nearest = std::min(nearest, radius);
+    farthest = std::max(farthest, radius);
+  }
+  EXPECT_LT(farthest / nearest, 1.10);
+  EXPECT_GT(nearest, 25);
+}
+
+}  // namespace
+}  // namespace erg::test

@@ -1,0 +1,101 @@
+// The same seed gives the same bits: on any number of threads, with any instruction set, however the run is cut.
+#include <gtest/gtest.h>
+
+#include "world.h"
+
+namespace erg::test {
+namespace {
+
+struct Case {
+  std::string name;
+  World world;
+  bool rocks = false;
+  int steps = 25;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const ModelType& model : catalogue()) {
+    const std::string key = model.info.key;
+    all.push_back({key, {.model = key, .extent = {150, 90}}});
+    all.push_back({key + " oblique", {.model = key, .extent = {90, 150}, .wind = {237, 4.5}}});
+    all.push_back({key + " rocks", {.model = key, .extent = {131, 77}, .wind = {250, 6}}, true});
+    all.push_back(
+        {key + " nonrepeated",
+         {.model = key, .extent = {77, 131}, .wind = {20, 5}, .settings = {{"polling", std::string("nonrepeated")}}}});
+    all.push_back({key + " open, 8 neighbours",
+                   {.model = key,
+                    .extent = {100, 70},
+                    .boundary = Boundary::open,
+                    .inflow = 3,
+                    .wind = {290, 5},
+                    .settings = {{"neighbours", std::string("8")}}}});
+    all.push_back(
+        {key + " forced", {.model = key, .extent = {64, 64}, .settings = {{"forced_erosion", true}}, .sand = 1}});
+    all.push_back(
+        {key + " hardly stays",  // crowds the 8-bit lanes
+         {.model = key, .extent = {64, 64}, .wind = {270, 1}, .settings = {{"p_sand", 0.002}, {"p_bare", 0.002}}},
+         false,
+         4});
+  }
+  return all;
+}
+
+std::uint64_t hash_of(const Case& scene, ExecutorOptions options) {
+  Terrain terrain = scene.world.strewn();
+  if (scene.rocks) raise_rocks(terrain, 15);
+  scene.world.run(terrain, options, scene.steps);
+  return state_hash(terrain);
+}
+
+TEST(SameBits, OnAnyNumberOfThreads) {
+  for (const Case& scene : cases()) {
+    const std::uint64_t one = hash_of(scene, {.name = "cpu", .threads = 1});
+    for (const int threads : {2, 3, 8}) {
+      EXPECT_EQ(hash_of(scene, {.name = "cpu", .threads = threads}), one)
+          << scene.name << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST(SameBits, WithEveryInstructionSet) {
+  for (const Case& scene : cases()) {
+    const std::uint64_t best = hash_of(scene, {.name = "cpu", .threads = 2});
+    for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2}) {
+      if (set > best_instruction_set()) continue;
+      EXPECT_EQ(hash_of(scene, {.name = "cpu", .threads = 2, .instructions = set}), best)
+          << scene.name << ", " << to_string(set);
+    }
+  }
+}
+
+TEST(SameBits, InARunCutInTwo) {
+  for (const Case& scene : cases()) {
+    for (const std::string executor : {"serial", "cpu"}) {
+      const ExecutorOptions options{.name = executor, .threads = 2};
+      Terrain terrain = scene.world.strewn();
+      if (scene.rocks) raise_rocks(terrain, 15);
+      const int half = scene.steps / 2;
+      scene.world.run(terrain, options, half);
+      scene.world.run(terrain, options, scene.steps - half, half);  // on an executor that knows nothing of the first
+      EXPECT_EQ(state_hash(terrain), hash_of(scene, options)) << scene.name << ", " << executor;
+    }
+  }
+}
+
+TEST(SameBits, AnotherSeedOrStepGivesOthers) {
+  World world;
+  Terrain terrain = world.strewn();
+  Terrain other = terrain;
+  Terrain later = terrain;
+  const ExecutorOptions options{.name = "cpu", .threads = 1};
+  world.run(terrain, options, 3);
+  world.run(later, options, 3, 1);
+  world.seed += 1;
+  world.run(other, options, 3);
+  EXPECT_NE(state_hash(terrain), state_hash(other));
+  EXPECT_NE(state_hash(terrain), state_hash(later));
+}
+
+}  // namespace
+}  // namespace erg::test

@@ -1,0 +1,91 @@
+// Small worlds for the laws: a terrain, a law and a wind, run on any executor.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/terrain.h"
+#include "models/model.h"
+#include "models/slab_model.h"
+#include "transport/executor.h"
+
+namespace erg::test {
+
+/// An executor to loop over, with the name that a failing test shows.
+struct Machine {
+  std::string name;
+  ExecutorOptions options;
+};
+
+inline std::vector<Machine> machines() {
+  return {{"serial", {.name = "serial"}},
+          {"cpu, 1 thread", {.name = "cpu", .threads = 1, .sweeps = 16}},
+          {"cpu, 3 threads, K 4", {.name = "cpu", .threads = 3, .sweeps = 4}}};
+}
+
+/// One run, small and quick.
+struct World {
+  std::string model = "werner";
+  Extent extent{48, 40};
+  Boundary boundary = Boundary::torus;
+  double inflow = 0;
+  WindNow wind{270, 5};
+  std::uint64_t seed = 7;
+  std::vector<std::pair<std::string, ParameterValue>> settings = {};
+  std::int32_t sand = 3;
+
+  /// Sand strewn unevenly (0 to 2 * sand, keyed by the cell), on level bedrock.
+  Terrain strewn() const {
+    Terrain terrain(extent, 1.0, quantum(), boundary);
+    terrain.set_inflow(inflow);
+    Grid<std::int32_t>& mobile = terrain.edit_mobile();
+    for (std::size_t cell = 0; cell < mobile.size(); ++cell) {
+      mobile[cell] =
+          static_cast<std::int32_t>(random_below({seed, 0}, 0, cell, 99, static_cast<std::uint32_t>(2 * sand + 1)));
+    }
+    terrain.open_ledger();
+    return terrain;
+  }
+
+  ParameterValues values() const {
+    ParameterValues values(find_model(model).parameters);
+    for (const auto& [key, value] : settings) values.set(key, value);
+    return values;
+  }
+  double quantum() const { return values().real("slab_height"); }
+
+  /// Runs `steps` steps and settles; the sum of what they did.
+  StepReport run(Terrain& terrain, const ExecutorOptions& options, int steps, int first_step = 0) const {
+    const auto executor = make_executor(options);
+    return run(terrain, *executor, steps, first_step);
+  }
+  StepReport run(Terrain& terrain, SlabExecutor& executor, int steps, int first_step = 0) const {
+    const auto made = find_model(model).make(values());
+    StepReport total;
+    for (int step = first_step; step < first_step + steps; ++step) {
+      total += made->step(terrain, wind, {seed, static_cast<std::uint64_t>(step)}, executor);
+    }
+    executor.settle(terrain);
+    return total;
+  }
+};
+
+/// Two walls of rock, one of them across the grid's edge.
+inline void raise_rocks(Terrain& terrain, std::int32_t height) {
+  Grid<std::int32_t>& bedrock = terrain.edit_bedrock();
+  Grid<std::int32_t>& mobile = terrain.edit_mobile();
+  for (int y = 0; y < terrain.ny(); ++y) {
+    for (int x = 0; x < terrain.nx(); ++x) {
+      const bool middle =
+          x >= terrain.nx() / 3 && x < terrain.nx() / 2 && y >= terrain.ny() / 4 && y < terrain.ny() / 2;
+      const bool edge = (x < 2 || x >= terrain.nx() - 2) && y >= terrain.ny() / 2;
+      if (!middle && !edge) continue;
+      bedrock(x, y) = height;
+      mobile(x, y) = 0;
+    }
+  }
+  terrain.open_ledger();
+}
+
+}  // namespace erg::test
