@@ -6,8 +6,10 @@
 #include "app/bench.h"
 #include "app/command.h"
 #include "app/measured_run.h"
+#include "app/render_bench.h"
 #include "app/text_table.h"
 #include "core/terrain.h"
+#include "render/gl_context.h"
 #include "wind/bearing.h"
 
 namespace erg {
@@ -52,6 +54,19 @@ std::string table_text(const std::vector<BenchRow>& rows) {
          "same executor\nwithout the oblique wind, cover or obstacles.\n";
 }
 
+/// Times of pictures as a table.
+std::string render_text(const std::string& context) {
+  std::string renderer;
+  const std::vector<RenderBenchRow> rows = run_render_bench({256, 1024, 4096}, context, renderer);
+  TextTable table;
+  table.heading = {"grid", "quality", "drawn", "first (s)", "turned (s)", "changed (s)", "triangles"};
+  for (const RenderBenchRow& row : rows) {
+    table.rows.push_back({std::to_string(row.grid), row.quality, row.drawn, fixed_text(row.first, 3),
+                          fixed_text(row.turned, 3), fixed_text(row.changed, 3), std::to_string(row.triangles)});
+  }
+  return table.aligned() + "\nSeconds for a picture of 1280 x 720 pixels, drawn by " + renderer + ".\n";
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& program, Action& action) {
@@ -59,6 +74,8 @@ void add_bench_command(CLI::App& program, Action& action) {
     BenchOptions bench;
     std::string bearing = "270";
     bool json = false;
+    bool render = false;
+    std::string context = "auto";
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("bench", "Measure the executors on developed dunes");
@@ -73,8 +90,16 @@ void add_bench_command(CLI::App& program, Action& action) {
   command->add_option("--bearing", options->bearing, "Where the wind blows from: degrees or W, NW ...")
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print a JSON list of rows");
+  command->add_flag("--render", options->render, "Measure pictures of 256, 1024 and 4096 cells a side instead");
+  command->add_option("--context", options->context, "What draws with --render: auto, egl, osmesa")
+      ->capture_default_str()
+      ->check(CLI::IsMember(offscreen_kinds()));
   command->callback([&action, options] {
     action = [options] {
+      if (options->render) {
+        std::cout << render_text(options->context);
+        return exit_done;
+      }
       options->bench.bearing = parse_bearing(options->bearing, "--bearing");
       const std::vector<BenchRow> rows = run_bench(options->bench);
       std::cout << (options->json ? json_text(rows) : table_text(rows));

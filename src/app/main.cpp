@@ -16,6 +16,7 @@ ExitCode run_program(int argument_count, char** arguments) {
 
   Action action;
   add_run_command(program, action);
+  add_render_command(program, action);
   add_check_command(program, action);
   add_models_command(program, action);
   add_model_command(program, action);

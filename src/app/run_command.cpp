@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/film.h"
 #include "app/interrupt.h"
 #include "app/measured_run.h"
 #include "app/progress.h"
@@ -28,14 +29,16 @@ bool writes_files(const RunRequest& request) {
 std::string output_folder(const RunRequest& request) { return request.out.empty() ? default_folder : request.out; }
 
 /// The run itself: step, write, show; until the last step or Ctrl-C.
-void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& run, RunOutput* output) {
+void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& run, RunOutput* output, Film* film) {
   const std::int64_t last = simulation.config().run.integer("steps");
   const std::int64_t row_every = request.every > 0 ? request.every : std::max<std::int64_t>(1, last / default_rows);
   Progress progress(progress_style(request.quiet), simulation.model_type().info.title, simulation.step_count(), last);
   if (output != nullptr) output->add_row();
+  if (film != nullptr) film->add_frame(simulation);
   while (!run.finished() && !InterruptGuard::interrupted()) {
     run.step();
     progress.update(simulation.step_count(), run.polls());
+    if (film != nullptr && simulation.step_count() % request.frames == 0) film->add_frame(simulation);
     if (output == nullptr) continue;
     const bool end = run.finished();
     if (end || simulation.step_count() % row_every == 0) output->add_row();
@@ -81,7 +84,7 @@ void check_stats_path(const std::string& path) {
   throw InputError("--stats " + path, "there is no folder " + folder.string(), "make it first");
 }
 
-ExitCode run(const RunRequest& request) {
+ExitCode run(const RunRequest& request, const PictureRequest& picture) {
   check_stats_path(request.stats);
   Simulation simulation = start_simulation(request);
   std::unique_ptr<RunOutput> output;
@@ -89,14 +92,19 @@ ExitCode run(const RunRequest& request) {
     const std::vector<std::string>& formats = request.formats.empty() ? output_formats() : request.formats;
     output = std::make_unique<RunOutput>(output_folder(request), run_name(request), formats, simulation);
   }
+  std::unique_ptr<Film> film;
+  if (request.frames > 0) {
+    film = std::make_unique<Film>(output_folder(request), run_name(request), request.frames, picture, simulation);
+  }
   const bool needs_numbers = !request.quiet || !request.stats.empty();
   MeasuredRun measured(simulation, simulation.config().run.integer("steps"), needs_numbers);
   {
     const InterruptGuard guard;
-    run_steps(request, simulation, measured, output.get());
+    run_steps(request, simulation, measured, output.get(), film.get());
     if (!measured.finished()) return stop_early(request, simulation, output.get());
   }
   if (output != nullptr) output->write_state();
+  if (film != nullptr) film->finish(request.quiet);
   if (needs_numbers) {
     const RunStatistics numbers = measured.statistics();
     if (!request.quiet) print_summary(simulation, numbers);
@@ -113,6 +121,7 @@ ExitCode run(const RunRequest& request) {
 
 void add_run_command(CLI::App& program, Action& action) {
   const auto request = std::make_shared<RunRequest>();
+  const auto picture = std::make_shared<PictureRequest>();
   CLI::App* command = program.add_subcommand("run", "Grow dunes from a config");
   command->add_option("CONFIG", request->config, "Config file, or the name of a preset");
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
@@ -139,9 +148,14 @@ void add_run_command(CLI::App& program, Action& action) {
   command->add_option("--stats", request->stats, "Write the run's numbers to this JSON file");
   command->add_flag("--hash", request->hash, "Print the hash of the final state");
   command->add_flag("--quiet", request->quiet, "Print nothing but errors and the hash");
-  command->callback([&action, request] {
+  command
+      ->add_option("--frames", request->frames,
+                   "Draw a picture every so many steps, and join them to a film where ffmpeg is installed")
+      ->check(CLI::PositiveNumber);
+  add_picture_options(*command, *picture);
+  command->callback([&action, request, picture] {
     if (request->config.empty() && request->resume.empty()) throw CLI::RequiredError("CONFIG or --resume");
-    action = [request] { return run(*request); };
+    action = [request, picture] { return run(*request, *picture); };
   });
 }
 

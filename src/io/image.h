@@ -1,39 +1,14 @@
-// Pictures in memory, and PNG files.
+// PNG files.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
 
-#include "core/palette.h"
+#include "core/image.h"
 #include "io/provenance.h"
 
 namespace erg {
-
-/// A colour picture, 8 bits a channel, row 0 at the top (unlike grids).
-struct RgbImage {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> pixels;  ///< red, green, blue, row by row
-
-  RgbImage() = default;
-  RgbImage(int width, int height, Colour colour = {});
-
-  std::uint8_t* pixel(int x, int y) { return pixels.data() + offset(x, y); }
-  const std::uint8_t* pixel(int x, int y) const { return pixels.data() + offset(x, y); }
-  /// Sets one pixel; outside the picture nothing happens.
-  void set(int x, int y, Colour colour) { cover(x, y, colour, 1.0); }
-  /// Blends a colour over one pixel, opacity in [0, 1]; outside the picture nothing happens.
-  void cover(int x, int y, Colour colour, double opacity);
-  /// Copies another picture in, its upper left corner at (left, top); parts outside are cut off.
-  void paste(const RgbImage& other, int left, int top);
-
- private:
-  std::size_t offset(int x, int y) const {
-    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
-  }
-};
 
 /// A grey picture of 16 bits, row 0 at the top.
 struct GreyImage {
@@ -44,6 +19,7 @@ struct GreyImage {
 
 /// Writes a PNG, whole or not at all, with the entries as text chunks. Throws InputError when it cannot be written.
 void write_png(const std::filesystem::path& path, const RgbImage& image, const MetadataEntries& entries);
+void write_png(const std::filesystem::path& path, const RgbaImage& image, const MetadataEntries& entries);
 void write_png(const std::filesystem::path& path, const GreyImage& image, const MetadataEntries& entries);
 
 /// The text chunks of a PNG. Throws InputError for a missing or damaged file.

@@ -35,13 +35,16 @@ std::vector<png_text> text_chunks(const MetadataEntries& entries) {
   return chunks;
 }
 
+int colour_type(int channels) {
+  return channels == 1 ? PNG_COLOR_TYPE_GRAY : channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+}
+
 // libpng reports an error by jumping back here, so nothing in this function may need a destructor.
 bool write_all(png_structp png, png_infop info, const PngPixels& pixels, std::vector<png_text>& chunks,
                std::vector<png_bytep>& rows) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_IHDR(png, info, static_cast<png_uint_32>(pixels.width), static_cast<png_uint_32>(pixels.height), pixels.bits,
-               pixels.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+               colour_type(pixels.channels), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_text(png, info, chunks.data(), static_cast<int>(chunks.size()));
   png_write_info(png, info);
   if (pixels.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);

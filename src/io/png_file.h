@@ -14,7 +14,7 @@ struct PngPixels {
   int width = 0;
   int height = 0;
   int bits = 8;      ///< 8 or 16 a sample
-  int channels = 3;  ///< 1 grey, 3 colour
+  int channels = 3;  ///< 1 grey, 3 colour, 4 colour with opacity
   const void* first = nullptr;
 };
 

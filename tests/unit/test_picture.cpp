@@ -6,7 +6,8 @@
 #include <limits>
 
 #include "core/errors.h"
-#include "io/label.h"
+#include "core/label.h"
+#include "core/marks.h"
 #include "io/legend.h"
 #include "temporary_folder.h"
 

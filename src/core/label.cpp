@@ -1,4 +1,4 @@
-#include "io/label.h"
+#include "core/label.h"
 
 #include <cmath>
 #include <fstream>

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "io/image.h"
+#include "core/image.h"
 
 namespace erg {
 

@@ -1,0 +1,4 @@
+#version 330 core
+uniform vec3 line_colour;  // sRGB
+out vec4 colour;
+void main() { colour = vec4(line_colour, 1.0); }

@@ -1,0 +1,83 @@
+#include "app/film.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+#include <vector>
+
+#include "core/errors.h"
+#include "io/image.h"
+
+namespace erg {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Runs a program found on the PATH, its output thrown away; its exit code, or nothing when it could not be started.
+std::optional<int> run_program(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", 0, 0);
+  pid_t process = 0;
+  const int failed = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) return std::nullopt;
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+}  // namespace
+
+Film::Film(const fs::path& folder, const std::string& name, std::int64_t every, PictureRequest request,
+           Simulation& simulation)
+    : frames_(folder / (name + "-frames")), movie_(folder / (name + ".mp4")), every_(every) {
+  std::error_code failed;
+  fs::create_directories(frames_, failed);
+  if (failed) throw InputError(frames_.string(), "cannot make this folder: " + failed.message(), "name another --out");
+  context_ = make_offscreen_context(request.context);
+  renderer_ = std::make_unique<Renderer>();
+  plan_ = plan_picture(request, RunView(simulation).view());
+}
+
+void Film::add_frame(Simulation& simulation) {
+  const std::int64_t number = simulation.step_count() / every_;
+  if (first_ < 0) first_ = number;
+  char file[32];
+  std::snprintf(file, sizeof file, "%06lld.png", static_cast<long long>(number));
+  const RunView run(simulation);
+  const Picture picture = renderer_->draw(run.view(), plan_.look, plan_.camera, plan_.size);
+  const MetadataEntries step{{"erg:step", std::to_string(simulation.step_count())}};
+  if (plan_.look.transparent) {
+    write_png(frames_ / file, picture.image, step);
+  } else {
+    write_png(frames_ / file, picture.opaque(), step);
+  }
+}
+
+void Film::finish(bool quiet) const {
+  if (!quiet) std::cout << "  wrote frames into " << frames_.string() << "\n";
+  const std::string even = "scale=trunc(iw/2)*2:trunc(ih/2)*2";  // the codec wants even sides
+  const std::optional<int> ended = run_program(
+      {"ffmpeg", "-y", "-loglevel", "error", "-framerate", "25", "-start_number", std::to_string(first_), "-i",
+       (frames_ / "%06d.png").string(), "-vf", even, "-c:v", "libx264", "-pix_fmt", "yuv420p", movie_.string()});
+  if (!ended || *ended == 127) {
+    std::cerr << "No film was made: ffmpeg is not installed (apt-get install ffmpeg). The frames are in "
+              << frames_.string() << "\n";
+  } else if (*ended != 0) {
+    std::cerr << "No film was made: ffmpeg failed. The frames are in " << frames_.string() << "\n";
+  } else if (!quiet) {
+    std::cout << "  wrote " << movie_.string() << "\n";
+  }
+}
+
+}  // namespace erg

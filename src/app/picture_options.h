@@ -1,0 +1,48 @@
+// The options of pictures on the command line, and the view of a run that pictures show.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "render/look.h"
+#include "render/renderer.h"
+#include "sim/simulation.h"
+
+namespace erg {
+
+/// What the command line asks of a picture, in its words.
+struct PictureRequest {
+  std::string size = "1920x1080";
+  std::string camera = "oblique";  ///< a preset, or a JSON file
+  std::string sun;                 ///< "285,24": bearing and altitude in degrees; empty: as the look has it
+  std::string context = "auto";
+  int supersample = 2;
+  int copies = -1;  ///< -1: to the horizon for materials on a torus in perspective, none otherwise
+  bool no_legend = false;
+  Look look;
+};
+
+/// Adds the options to a command.
+void add_picture_options(CLI::App& command, PictureRequest& request);
+
+/// What the request means. Throws InputError with all that is wrong with it.
+struct PicturePlan {
+  PictureSize size;
+  Look look;
+  Camera camera;
+};
+PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view);
+
+/// What pictures show of a run: its terrain, its fields, its wind shadow and its last wind. Holds what it computes;
+/// valid until the next step.
+class RunView {
+ public:
+  explicit RunView(Simulation& simulation);
+  const TerrainView& view() const { return view_; }
+
+ private:
+  Field shadow_;
+  TerrainView view_;
+};
+
+}  // namespace erg

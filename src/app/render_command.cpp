@@ -1,0 +1,103 @@
+// `erg render`: a picture of a config's land or of a checkpoint.
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "app/command.h"
+#include "app/interrupt.h"
+#include "app/picture_options.h"
+#include "app/progress.h"
+#include "app/run_setup.h"
+#include "io/config_file.h"
+#include "io/image.h"
+#include "render/gl_context.h"
+
+namespace erg {
+namespace {
+
+struct RenderRequest {
+  std::string source;  ///< config, preset or checkpoint
+  std::string out;
+  std::int64_t steps = -1;  ///< -1: a config's own number; a checkpoint as it is
+  std::vector<std::string> assignments;
+  bool quiet = false;
+  PictureRequest picture;
+};
+
+bool is_checkpoint(const std::string& source) { return std::filesystem::path(source).extension() == ".checkpoint"; }
+
+Simulation start(const RenderRequest& request) {
+  RunRequest run;
+  (is_checkpoint(request.source) ? run.resume : run.config) = request.source;
+  run.assignments = request.assignments;
+  return start_simulation(run);
+}
+
+/// Steps to the state that the picture shows. False when interrupted.
+bool grow(const RenderRequest& request, Simulation& simulation) {
+  std::int64_t last = request.steps;
+  if (last < 0)
+    last = is_checkpoint(request.source) ? simulation.step_count() : simulation.config().run.integer("steps");
+  Progress progress(progress_style(request.quiet), simulation.model_type().info.title, simulation.step_count(), last);
+  const InterruptGuard guard;
+  while (simulation.step_count() < last && !simulation.finished()) {
+    if (InterruptGuard::interrupted()) return false;
+    simulation.step();
+    progress.update(simulation.step_count(), simulation.totals().polls);
+  }
+  return true;
+}
+
+MetadataEntries provenance_of(Simulation& simulation) {
+  const Config& config = simulation.config();
+  return metadata({.config = config_text(config),
+                   .seed = static_cast<std::uint64_t>(config.run.integer("seed")),
+                   .step = simulation.step_count(),
+                   .model = config.model,
+                   .version = ERG_VERSION,
+                   .executor = simulation.executor().name()});
+}
+
+ExitCode render(const RenderRequest& request) {
+  Simulation simulation = start(request);
+  const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);
+  Renderer renderer;
+  // A wrong option should be known before the run, not after it.
+  plan_picture(request.picture, RunView(simulation).view());
+  if (!grow(request, simulation)) {
+    std::cerr << "Interrupted after step " << simulation.step_count() << "; no picture was written.\n";
+    return exit_failed;
+  }
+  const RunView run(simulation);
+  const PicturePlan plan = plan_picture(request.picture, run.view());
+  const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
+  for (const std::string& note : picture.notes) std::cerr << "note: " << note << "\n";
+  const MetadataEntries entries = provenance_of(simulation);
+  if (plan.look.transparent) {
+    write_png(request.out, picture.image, entries);
+  } else {
+    write_png(request.out, picture.opaque(), entries);
+  }
+  if (!request.quiet) std::cout << "wrote " << request.out << " (" << context->renderer() << ")\n";
+  return exit_done;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& program, Action& action) {
+  const auto request = std::make_shared<RenderRequest>();
+  CLI::App* command = program.add_subcommand("render", "Draw a picture of a run");
+  command->add_option("SOURCE", request->source, "Config file, name of a preset, or checkpoint")->required();
+  command->add_option("--out", request->out, "PNG file to write")->required();
+  command
+      ->add_option("--steps", request->steps, "Step to draw (default: a config's last step; a checkpoint as it stands)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--quiet", request->quiet, "Print nothing but errors and notes");
+  add_picture_options(*command, request->picture);
+  command->callback([&action, request] { action = [request] { return render(*request); }; });
+}
+
+}  // namespace erg

@@ -1,0 +1,64 @@
+#include <array>
+#include <vector>
+
+#include "core/errors.h"
+#include "render/gl.h"
+#include "render/gl_context.h"
+
+// osmesa.h is written for Mesa's own gl.h; GLEW undefines these two at its end.
+#define GLAPI extern
+#ifndef GLAPIENTRY
+#define GLAPIENTRY
+#endif
+#include <GL/osmesa.h>
+
+namespace erg {
+namespace {
+
+// Pictures are drawn into frame buffer objects; the context's own buffer only has to exist.
+constexpr int buffer_side = 16;
+
+class OsmesaContext final : public GlContext {
+ public:
+  OsmesaContext() : buffer_(4 * buffer_side * buffer_side) {
+    constexpr std::array<int, 13> wanted{OSMESA_FORMAT,
+                                         OSMESA_RGBA,
+                                         OSMESA_DEPTH_BITS,
+                                         24,
+                                         OSMESA_PROFILE,
+                                         OSMESA_CORE_PROFILE,
+                                         OSMESA_CONTEXT_MAJOR_VERSION,
+                                         3,
+                                         OSMESA_CONTEXT_MINOR_VERSION,
+                                         3,
+                                         0,
+                                         0,
+                                         0};
+    context_ = OSMesaCreateContextAttribs(wanted.data(), nullptr);
+    if (context_ == nullptr) {
+      throw InputError("OSMesa", "it makes no OpenGL 3.3 core context", "install libosmesa6 (Mesa 22 or newer)");
+    }
+    OsmesaContext::make_current();
+  }
+
+  ~OsmesaContext() override { OSMesaDestroyContext(context_); }
+
+  void make_current() override {
+    if (OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, buffer_side, buffer_side) != GL_TRUE) {
+      throw InputError("OSMesa", "its context cannot be made current", "install libosmesa6 (Mesa 22 or newer)");
+    }
+    load_gl([](const char* name) { return OSMesaGetProcAddress(name); });
+  }
+
+  std::string kind() const override { return "osmesa"; }
+
+ private:
+  std::vector<unsigned char> buffer_;
+  OSMesaContext context_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<GlContext> make_osmesa_context() { return std::make_unique<OsmesaContext>(); }
+
+}  // namespace erg

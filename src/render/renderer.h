@@ -1,0 +1,87 @@
+// Draws a view of a terrain: the one picture maker for the window, the command line and the tests.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "render/camera.h"
+#include "render/look.h"
+#include "render/shader_program.h"
+#include "render/terrain_view.h"
+
+namespace erg {
+
+struct PictureSize {
+  int width = 1920;     ///< pixels
+  int height = 1080;    ///< pixels
+  int supersample = 2;  ///< drawn so many times larger each way, then averaged in linear light
+};
+
+/// What limits the work, by what draws and for whom.
+struct RenderEffort {
+  int largest_side = 4096;  ///< cells a side that are drawn; larger grids are drawn in means of blocks of cells
+  int largest_map = 4096;   ///< texels a side of the smooth surface, which has two for the side of a cell where they fit
+  double step_pixels = 2;   ///< length of the land's triangles in the picture
+  int finest = 256;         ///< most steps for 64 cells
+  bool grains = true;       ///< grains, ripples and stones
+
+  /// A still picture, with all there is.
+  static RenderEffort still() { return {}; }
+  /// A picture at once while a person moves: on a graphics card, or on the processor.
+  static RenderEffort moving(bool software) {
+    return software ? RenderEffort{256, 256, 8, 64, false} : RenderEffort{4096, 4096, 3, 128, true};
+  }
+};
+
+/// A picture with what belongs to it.
+struct Picture {
+  RgbaImage image;
+  std::optional<ValueScale> scale;  ///< of the values shown; none for materials
+  std::vector<std::string> notes;   ///< what a person should know: values that are no numbers, blocks of cells
+  std::int64_t triangles = 0;
+
+  /// Without opacity, over white where nothing is.
+  RgbImage opaque() const;
+};
+
+/// Lives with one OpenGL context, which must be current whenever it is used and when it goes.
+class Renderer {
+ public:
+  /// Compiles the shaders of a folder. Throws InputError with file, line and message.
+  explicit Renderer(const std::filesystem::path& shaders = shader_folder());
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  void set_effort(const RenderEffort& effort);
+
+  /// Draws into memory. Throws InputError for a look or size that cannot be.
+  Picture draw(const TerrainView& view, const Look& look, const Camera& camera, const PictureSize& size);
+
+  /// Draws the land (no writing) into the lower left of a frame buffer of the context: 0 is the window's. Returns
+  /// what a person should know.
+  std::vector<std::string> draw_into(unsigned frame_buffer, const TerrainView& view, const Look& look,
+                                     const Camera& camera, int width, int height);
+
+  /// The block of land of a view, for cameras.
+  static LandBox land_of(const TerrainView& view, const Look& look);
+
+  /// The point of the land of the last drawing that is seen at a place of the picture.
+  std::optional<Eigen::Vector3d> land_under(const Camera& camera, PicturePoint point, double aspect) const;
+  /// Height of the land of the last drawing, m; for keep_above.
+  double ground_height(double east, double north) const;
+
+  /// Texels uploaded since the beginning.
+  std::int64_t uploaded_texels() const;
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace erg

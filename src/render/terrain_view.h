@@ -1,0 +1,36 @@
+// What a picture shows: a terrain and what lies over it. The renderer knows nothing else of a run.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/terrain.h"
+
+namespace erg {
+
+/// The way of a grain, as points (m east, m north, m up) to be joined by lines.
+using GrainPath = std::vector<std::array<float, 3>>;
+
+/// What the mobile layer is.
+enum class Cover { sand, snow };
+
+/// A const view; everything it points to must outlive the drawing.
+struct TerrainView {
+  const Terrain* terrain = nullptr;
+  std::vector<const Field*> fields;  ///< more fields besides the terrain's own: wind shadow, flux, age
+  std::optional<double> wind;        ///< degrees: bearing of the wind, where it blows from
+  Cover cover = Cover::sand;
+  std::vector<GrainPath> paths;
+  /// Changes whenever anything here changes, so that an unchanged view costs nothing; 0: unknown, look at all of it.
+  std::uint64_t version = 0;
+
+  /// The field with this key, of the view or of the terrain; null when there is none.
+  const Field* find_field(const std::string& key) const;
+  /// The keys of all its fields.
+  std::vector<std::string> field_keys() const;
+};
+
+}  // namespace erg

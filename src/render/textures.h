@@ -1,0 +1,85 @@
+// Textures that hold the land, and targets to draw into.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/grid.h"
+#include "render/gl.h"
+
+namespace erg {
+
+/// A float texture of one or two channels, one texel a cell. An update uploads only tiles in which something changed.
+class TiledTexture {
+ public:
+  static constexpr int tile_side = 64;  ///< texels
+
+  explicit TiledTexture(int channels) : channels_(channels) {}
+
+  /// Brings the texture to these values (row by row from the south, channels interleaved). True when any changed.
+  bool update(Extent extent, bool periodic, std::span<const float> values);
+  /// Forgets what it holds.
+  void clear();
+
+  GLuint id() const { return texture_.id(); }
+  Extent extent() const { return extent_; }
+  /// Texels uploaded since the beginning.
+  std::int64_t uploaded_texels() const { return uploaded_texels_; }
+
+ private:
+  void allocate(Extent extent, bool periodic);
+  bool tile_changed(int left, int low, int wide, int high, std::span<const float> values) const;
+  void upload(int left, int low, int wide, int high, std::span<const float> values);
+  std::size_t offset(int x, int y) const {
+    return static_cast<std::size_t>(channels_) *
+           (static_cast<std::size_t>(y) * static_cast<std::size_t>(extent_.nx) + static_cast<std::size_t>(x));
+  }
+
+  int channels_;
+  GlObject texture_;
+  Extent extent_;
+  bool periodic_ = true;
+  std::vector<float> held_;
+  std::int64_t uploaded_texels_ = 0;
+};
+
+/// A texture that can be drawn into.
+class MapTarget {
+ public:
+  /// Makes a texture of this size and format when it is not so already. True when it is new, and empty.
+  bool prepare(Extent size, GLint format, bool periodic);
+  /// Directs drawing into it.
+  void bind() const;
+  GLuint id() const { return texture_.id(); }
+  Extent size() const { return size_; }
+
+ private:
+  GlObject texture_;
+  GlObject frame_;
+  Extent size_;
+  GLint format_ = 0;
+  bool periodic_ = true;
+};
+
+/// A picture with depth to draw into.
+class PictureTarget {
+ public:
+  /// Throws InputError when the driver makes no picture of this size.
+  void prepare(int width, int height);
+  GLuint frame() const { return frame_.id(); }
+  /// Red, green, blue, opacity, rows from below.
+  std::vector<std::uint8_t> read() const;
+
+ private:
+  GlObject colour_;
+  GlObject depth_;
+  GlObject frame_;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+/// The longest side that a texture may have.
+int largest_texture();
+
+}  // namespace erg

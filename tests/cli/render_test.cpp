@@ -1,0 +1,125 @@
+// `erg render` and `erg run --frames` as a person uses them.
+#include <gtest/gtest.h>
+
+#include "io/image.h"
+#include "program.h"
+
+namespace erg::test {
+namespace {
+
+// Width and height of a PNG, from its header, and its kind of colour (2: RGB, 6: RGB with opacity).
+struct Header {
+  int width = 0, height = 0, colour = 0;
+};
+Header png_header(const std::string& path) {
+  const std::string bytes = read_text(path);
+  if (bytes.size() < 26 || bytes.substr(1, 3) != "PNG") return {};
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t byte = at; byte < at + 4; ++byte) value = 256 * value + static_cast<unsigned char>(bytes[byte]);
+    return value;
+  };
+  return {number(16), number(20), bytes[25]};
+}
+
+TEST(Render, DrawsAConfigAndACheckpointAlike) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(12));
+  const Ended first = run_erg(folder, {"render", config, "--out", "a.png", "--size", "120x80", "--supersample", "1"});
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  EXPECT_NE(first.output.find("wrote a.png"), std::string::npos) << first.output;
+  const Header header = png_header(folder.file("a.png"));
+  EXPECT_EQ(header.width, 120);
+  EXPECT_EQ(header.height, 80);
+  EXPECT_EQ(header.colour, 2);
+
+  ASSERT_EQ(run_erg(folder, {"run", config, "--out", "out", "--format", "checkpoint", "--quiet"}).exit_code, 0);
+  const Ended second = run_erg(folder, {"render", "out/small-000012.checkpoint", "--out", "b.png", "--size", "120x80",
+                                        "--supersample", "1", "--quiet"});
+  ASSERT_EQ(second.exit_code, 0) << second.errors;
+  EXPECT_EQ(second.output, "");
+  EXPECT_EQ(read_text(folder.file("a.png")), read_text(folder.file("b.png")));
+  bool told = false;
+  for (const auto& [name, text] : read_png_metadata(folder.file("b.png"))) told |= name == "erg:step" && text == "12";
+  EXPECT_TRUE(told) << "the picture says what it shows";
+}
+
+TEST(Render, StepsAndLooksAreAsAskedFor) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(12));
+  const auto draw = [&](const std::string& out, std::vector<std::string> more) {
+    std::vector<std::string> words{"render", config, "--out", out, "--size", "64x48", "--supersample", "1", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ended ended = run_erg(folder, words);
+    EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+    return read_text(folder.file(out));
+  };
+  const std::string usual = draw("usual.png", {});
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{{"--steps", "0"},
+                                                                                    {"--look", "snow"},
+                                                                                    {"--look", "shadow"},
+                                                                                    {"--look", "elevation"},
+                                                                                    {"--sun", "W,60"},
+                                                                                    {"--camera", "top"},
+                                                                                    {"--copies", "0"}}) {
+    EXPECT_NE(draw("other.png", more), usual) << more[0] << " " << more[1];
+  }
+  draw("clear.png", {"--transparent"});
+  EXPECT_EQ(png_header(folder.file("clear.png")).colour, 6);
+}
+
+TEST(Render, TakesACameraFile) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(3));
+  folder.write("view.json", R"({"target": [24, 16, 1], "bearing": 200, "altitude": 30, "distance": 40})");
+  folder.write("wrong.json", R"({"target": [24, 16, 1], "distence": 40})");
+  const std::vector<std::string> common{"render", config, "--out", "a.png", "--size", "64x48", "--camera"};
+  auto with = [&](const std::string& camera) {
+    std::vector<std::string> words = common;
+    words.push_back(camera);
+    return run_erg(folder, words);
+  };
+  EXPECT_EQ(with("view.json").exit_code, 0);
+  const Ended wrong = with("wrong.json");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.errors.find("wrong.json:1"), std::string::npos) << wrong.errors;
+  EXPECT_NE(wrong.errors.find("did you mean \"distance\""), std::string::npos) << wrong.errors;
+}
+
+TEST(Render, WrongUseWritesNothing) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(3));
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--size", "big"}, "1920x1080"},       {{"--size", "0x10"}, "1920x1080"},
+      {{"--camera", "obligue"}, "oblique"},   {{"--look", "elevatoin"}, "elevation"},
+      {{"--palette", "cividas"}, "cividis"},  {{"--sun", "west"}, "285,24"},
+      {{"--sun", "W,-3"}, "altitude"},        {{"--supersample", "9"}, "1 to 4"},
+      {{"--size", "16000x16000"}, "at most"},
+  };
+  for (const auto& [options, word] : cases) {
+    std::vector<std::string> words{"render", config, "--out", "a.png"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended ended = run_erg(folder, words);
+    EXPECT_EQ(ended.exit_code, 2) << options[1];
+    EXPECT_NE(ended.errors.find(word), std::string::npos) << options[1] << ": " << ended.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder.file("a.png"))) << options[1];
+  }
+}
+
+TEST(Film, FramesAreDrawnAsTheRunGoesOn) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(10));
+  const Ended ended =
+      run_erg(folder, {"run", config, "--frames", "4", "--size", "64x48", "--supersample", "1", "--quiet"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.errors;
+  for (const char* frame : {"000000", "000001", "000002"}) {
+    EXPECT_EQ(png_header(folder.file(std::string("out/small-frames/") + frame + ".png")).width, 64) << frame;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out/small-frames/000003.png")));
+  // A film, or the word for why there is none.
+  const bool film = std::filesystem::exists(folder.file("out/small.mp4"));
+  EXPECT_NE(film, ended.errors.find("apt-get install ffmpeg") != std::string::npos) << ended.errors;
+}
+
+}  // namespace
+}  // namespace erg::test

@@ -1,0 +1,94 @@
+// Every look, drawn by both off-screen contexts, beside a picture that was looked at and found good. With
+// ERG_UPDATE_GOLDEN set, the pictures are written anew instead: look at them before they are kept.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+
+#include "io/image.h"
+#include "render/gl_context.h"
+#include "render/renderer.h"
+#include "scene.h"
+
+namespace erg::test {
+namespace {
+
+struct Shot {
+  std::string name;
+  std::string camera;
+  std::function<void(Look&)> change;
+};
+
+const std::vector<Shot>& shots() {
+  static const std::vector<Shot> all{
+      {"sand", "oblique", [](Look& look) { look.show = "sand"; }},
+      {"snow", "oblique", [](Look& look) { look.show = "snow"; }},
+      {"horizon", "oblique", [](Look& look) { look.copies = 3; }},
+      {"side", "side", [](Look& look) { look.exaggeration = 2; }},
+      {"block", "block", [](Look&) {}},
+      {"top", "top", [](Look& look) { look.sun_altitude = 35; }},
+      {"no_tufts", "oblique", [](Look& look) { look.tufts = false; }},
+      {"elevation", "top", [](Look& look) { look.show = "elevation"; }},
+      {"cividis", "oblique", [](Look& look) { look.show = "elevation", look.palette = "cividis"; }},
+      {"slope", "top", [](Look& look) { look.show = "slope"; }},
+      {"vegetation", "top", [](Look& look) { look.show = "vegetation"; }},
+      {"age", "oblique", [](Look& look) { look.show = "age"; }},
+      {"contours", "top", [](Look& look) { look.show = "elevation", look.palette = "grey", look.contours = 2; }},
+      {"wireframe", "oblique", [](Look& look) { look.wireframe = true; }},
+      {"raw_cells", "oblique", [](Look& look) { look.raw_cells = true; }},
+      {"transparent", "oblique", [](Look& look) { look.transparent = true; }},
+  };
+  return all;
+}
+
+RgbImage shoot(const Shot& shot) {
+  const Terrain terrain = landscape();
+  TerrainView view = view_of(terrain);
+  view.paths = {{{10, 60, 4}, {14, 61, 7}, {18, 62, 8}, {24, 63, 7}, {30, 64, 9}}};
+  Look look;
+  shot.change(look);
+  Renderer renderer;
+  const Camera camera = camera_preset(shot.camera, Renderer::land_of(view, look), 4.0 / 3);
+  return renderer.draw(view, look, camera, {160, 120, 2}).opaque();
+}
+
+class Golden : public testing::TestWithParam<std::tuple<Shot, std::string>> {};
+INSTANTIATE_TEST_SUITE_P(EveryLook, Golden,
+                         testing::Combine(testing::ValuesIn(shots()), testing::Values("osmesa", "egl")),
+                         [](const auto& info) { return std::get<0>(info.param).name + "_" + std::get<1>(info.param); });
+
+TEST_P(Golden, LooksAsItDid) {
+  const auto& [shot, kind] = GetParam();
+  const std::filesystem::path path =
+      std::filesystem::path(ERG_SOURCE_DIR) / "tests" / "render" / "golden" / (shot.name + ".png");
+  const auto context = make_offscreen_context(kind);
+  const RgbImage drawn = shoot(shot);
+  if (std::getenv("ERG_UPDATE_GOLDEN") != nullptr) {
+    write_png(path, drawn, {});
+    GTEST_SKIP() << "written: " << path;
+  }
+  const Difference apart = difference(drawn, read_picture(path));
+  // Another driver or processor rounds otherwise; an eye sees a change of about two in a hundred over a few pixels.
+  EXPECT_LT(apart.mean, 1.0);
+  EXPECT_LT(apart.largest, 24);
+}
+
+TEST(Contexts, OsmesaAndEglAgree) {
+  for (const Shot& shot : {shots()[0], shots()[10]}) {
+    RgbImage first, second;
+    {
+      const auto context = make_offscreen_context("osmesa");
+      first = shoot(shot);
+    }
+    {
+      const auto context = make_offscreen_context("egl");
+      second = shoot(shot);
+    }
+    const Difference apart = difference(first, second);
+    EXPECT_LT(apart.mean, 0.5) << shot.name;
+    EXPECT_LT(apart.largest, 12) << shot.name;
+  }
+}
+
+}  // namespace
+}  // namespace erg::test
