@@ -43,7 +43,7 @@ ERG_CELL_RULE double random_unit(StepKey key, std::uint64_t sweep, std::uint64_t
 
 /// The same as an integer in [0, bound); bound must be positive.
 ERG_CELL_RULE std::uint32_t random_below(StepKey key, std::uint64_t sweep, std::uint64_t cell, std::uint64_t draw,
-                                     std::uint32_t bound) {
+                                         std::uint32_t bound) {
   return static_cast<std::uint32_t>(((random_word(key, sweep, cell, draw) >> 32) * bound) >> 32);
 }
 

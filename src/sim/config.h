@@ -48,8 +48,8 @@ struct ConfigGroup {
 };
 const std::vector<ConfigGroup>& config_groups();
 
-/// Changes the model. Values that were set (are not at their default) stay where the new model has the same parameter and
-/// accepts them; all others take the new model's defaults. Throws InputError for an unknown key.
+/// Changes the model. Values that were set (are not at their default) stay where the new model has the same parameter
+/// and accepts them; all others take the new model's defaults. Throws InputError for an unknown key.
 void change_model(Config& config, const std::string& model_key);
 
 /// The keys of all models, in the catalogue's order.
