@@ -73,7 +73,7 @@ class Contestant {
   const Scene& scene_;
   ExecutorOptions options_;
   Terrain terrain_;
-  std::unique_ptr<SlabExecutor> executor_;
+  std::unique_ptr<Executor> executor_;
   std::uint64_t steps_ = growing_steps;
   std::uint64_t hash_ = 0;
   double best_ = 0;

@@ -37,7 +37,7 @@ class Model {
   /// already there.
   virtual void begin(Terrain& terrain) = 0;
   /// One time step.
-  virtual StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, SlabExecutor& executor) = 0;
+  virtual StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) = 0;
   /// The fall of the wind shadow in quanta a cell, for pictures and numbers.
   virtual double shadow_fall(double cell_size) const = 0;
 };

@@ -96,7 +96,7 @@ SlabLaw SlabModel::law(const Terrain& terrain) const {
   return law;
 }
 
-StepReport SlabModel::step(Terrain& terrain, const WindNow& wind, StepKey key, SlabExecutor& executor) {
+StepReport SlabModel::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
   return executor.step(terrain, law(terrain), wind, key);
 }
 

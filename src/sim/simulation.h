@@ -35,7 +35,7 @@ class Simulation {
   WindNow wind() const { return config_.wind.at(state_.step); }
   /// The wind of the last step done (of the first, before it).
   WindNow last_wind() const;
-  SlabExecutor& executor() { return *executor_; }
+  Executor& executor() { return *executor_; }
   const StepReport& totals() const { return state_.totals; }
   bool finished() const { return state_.totals.finished; }
 
@@ -55,7 +55,7 @@ class Simulation {
   Config config_;
   const ModelType* type_ = nullptr;
   std::unique_ptr<Model> model_;
-  std::unique_ptr<SlabExecutor> executor_;
+  std::unique_ptr<Executor> executor_;
   RunState state_;
 };
 

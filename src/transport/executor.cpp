@@ -65,7 +65,7 @@ std::int32_t check_height(const Terrain& terrain) {
   return lowest;
 }
 
-std::unique_ptr<SlabExecutor> make_executor(const ExecutorOptions& options) {
+std::unique_ptr<Executor> make_executor(const ExecutorOptions& options) {
   if (options.name == "serial") return std::make_unique<SerialExecutor>();
   if (options.name == "cpu" || options.name == "auto") {
     ExecutorOptions chosen = options;

@@ -1,8 +1,10 @@
-// Executors: what carries out a time step of the slab machine. `serial` is the reference (one slab at a time), `cpu`
-// the parallel engine. A model hands over a law; it never loops over cells itself.
+// Executors: what carries out a time step of the slab machine, and shares out a model's other work over threads.
+// `serial` is the reference (one slab at a time), `cpu` the parallel engine. A slab model hands over a law and never
+// moves slabs itself.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,14 +29,14 @@ struct StepReport {
   StepReport& operator+=(const StepReport& other);
 };
 
-/// Carries out time steps of the slab machine.
+/// Carries out time steps.
 ///
 /// An executor may keep the terrain in a form of its own between steps. Then the terrain's layers are stale until
 /// `settle` writes them back; whoever owns both calls it before anyone reads. Editing the terrain (its revision
 /// changes) makes the executor load it again at the next step.
-class SlabExecutor {
+class Executor {
  public:
-  virtual ~SlabExecutor() = default;
+  virtual ~Executor() = default;
 
   virtual std::string name() const = 0;
   virtual int threads() const = 0;
@@ -42,6 +44,11 @@ class SlabExecutor {
   virtual StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) = 0;
   /// Brings the terrain's layers up to date.
   virtual void settle(Terrain& terrain) = 0;
+  /// Runs `work` over pieces [begin, end) that together are [0, items), on all threads, and returns when all are done:
+  /// for what a model does between the slabs' moves. Pieces must not depend on each other, nor the result on where
+  /// they begin; `work` must not throw.
+  virtual void for_pieces(std::int64_t items,
+                          const std::function<void(std::int64_t begin, std::int64_t end)>& work) = 0;
 };
 
 /// Which machine instructions the parallel engine may use. All give the same bits.
@@ -66,6 +73,6 @@ inline constexpr int highest_terrain = 40000;
 std::int32_t check_height(const Terrain& terrain);
 
 /// Throws InputError for an unknown name.
-std::unique_ptr<SlabExecutor> make_executor(const ExecutorOptions& options);
+std::unique_ptr<Executor> make_executor(const ExecutorOptions& options);
 
 }  // namespace erg

@@ -219,6 +219,15 @@ std::pair<int, int> ParallelExecutor::share(int count, int member) const {
   return {part(member), part(member + 1)};
 }
 
+void ParallelExecutor::for_pieces(std::int64_t items,
+                                  const std::function<void(std::int64_t begin, std::int64_t end)>& work) {
+  team_.run([&](int member) {
+    const std::int64_t begin = items * member / team_.size();
+    const std::int64_t end = items * (member + 1) / team_.size();
+    if (begin < end) work(begin, end);
+  });
+}
+
 template <typename Lane>
 SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress, std::vector<std::uint8_t>& polled_rows) const {
   const SlabLaw& law = *progress.law;

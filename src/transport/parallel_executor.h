@@ -18,7 +18,7 @@
 
 namespace erg {
 
-class ParallelExecutor : public SlabExecutor {
+class ParallelExecutor : public Executor {
  public:
   /// options.threads must be positive, options.sweeps a power of two from 2 to 64.
   explicit ParallelExecutor(const ExecutorOptions& options);
@@ -27,6 +27,7 @@ class ParallelExecutor : public SlabExecutor {
   int threads() const override { return team_.size(); }
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   void settle(Terrain& terrain) override;
+  void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override;
 
  private:
   /// The grid in the frame's order, counted from the lowest bedrock, and the strips that work on it.

@@ -9,12 +9,15 @@
 
 namespace erg {
 
-class SerialExecutor : public SlabExecutor {
+class SerialExecutor : public Executor {
  public:
   std::string name() const override { return "serial"; }
   int threads() const override { return 1; }
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   void settle(Terrain& terrain) override;
+  void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override {
+    if (items > 0) work(0, items);
+  }
 
  private:
   /// A place in the frame. v may run over the edge while a slab flies.

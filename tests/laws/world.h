@@ -60,7 +60,7 @@ struct World {
     const auto executor = make_executor(options);
     return run(terrain, *executor, steps, first_step);
   }
-  StepReport run(Terrain& terrain, SlabExecutor& executor, int steps, int first_step = 0) const {
+  StepReport run(Terrain& terrain, Executor& executor, int steps, int first_step = 0) const {
     const auto made = find_model(model).make(values());
     StepReport total;
     for (int step = first_step; step < first_step + steps; ++step) {
