@@ -65,9 +65,10 @@ float ripple_slope(vec2 place, float strength) {
   vec2 along = wind;
   vec2 aside = vec2(-along.y, along.x);
   vec2 own = vec2(dot(place, along), dot(place, aside)) / length_m;
-  float wander = 1.7 * noise(own * vec2(0.09, 0.035)) + 0.55 * noise(own * vec2(0.35, 0.11) + 9.7);
+  // The phase never runs backwards: crests bend and fork, but none is torn off.
+  float wander = 1.2 * noise(own * vec2(0.06, 0.03)) + 0.25 * noise(own * vec2(0.30, 0.10) + 9.7);
   float phase = own.x + 2.0 * wander;
-  float seen = 1.0 - smoothstep(0.13, 0.38, length(vec2(dFdx(phase), dFdy(phase))));
+  float seen = 1.0 - smoothstep(0.13, 0.38, 1.3 * length(vec2(dFdx(own.x), dFdy(own.x))));
   float t = 6.2831853 * phase;
   return strength * seen * (0.7 + 0.3 * noise(own * 0.05 + 3.1)) * (cos(t) + 0.35 * cos(2.0 * t + 0.9));
 }

@@ -243,7 +243,7 @@ void ScenePainter::paint_walls(const PaintRequest& request, const Air& air) cons
     const auto face = [&](bool outer, Eigen::AlignedBox2d::CornerType from, Eigen::AlignedBox2d::CornerType to,
                           int blocks) {
       if (!outer) return;
-      const int steps = 2 * blocks;
+      const int steps = std::max(1, blocks * request.effort.finest / TerrainMesh::tile_cells);  // as the mesh near by
       const Eigen::Vector2f start = box.corner(from).cast<float>(), end = box.corner(to).cast<float>();
       wall_program_.set("steps", steps);
       wall_program_.set("from", start.x(), start.y());
