@@ -61,6 +61,10 @@ RgbaImage shrink(const std::vector<std::uint8_t>& drawn, const PictureSize& size
   for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y) {
     const std::uint8_t* const row = drawn.data() + (static_cast<std::size_t>(size.height) - 1 - y) * side * row_bytes;
     std::uint8_t* const to = image.pixels.data() + 4 * y * width;
+    if (side == 1) {
+      std::copy_n(row, row_bytes, to);
+      continue;
+    }
     for (std::size_t x = 0; x < width; ++x) mean_pixel(row + 4 * x * side, row_bytes, size.supersample, to + 4 * x);
   }
   return image;
