@@ -59,7 +59,7 @@ void LandMaps::read_view(const LandRequest& request, const std::string& shown) {
   height_range_ = height_range(terrain);
   land_.east = extent_.nx * terrain_cell_;
   land_.north = extent_.ny * terrain_cell_;
-  scale_ = value_scale(request.look, request.view);
+  if (!request.look.is_material()) scale_ = value_scale(request.look, request.view);
   version_ = request.view.version;
   shown_ = shown;
 }
