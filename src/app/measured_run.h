@@ -20,6 +20,7 @@ struct RunStatistics {
   Shift migration;             ///< cells a step over the last part of the run; 0 for a flat surface
   double flux = 0;             ///< slabs per step that pass one cell of a line across the wind, mean since step 0
   StepReport totals;           ///< since step 0
+  std::vector<Reading> readings;  ///< the model's own
   MassLedger ledger;
   std::int64_t mass_now = 0;    ///< slabs on the grid, counted
   std::uint64_t hash = 0;       ///< state_hash
