@@ -49,7 +49,7 @@ struct GrainLaw {
   float toward_v = 1;
   float friction_velocity = 0;  ///< m/s
   float cells_a_metre = 100;
-  float time_step = 0.001f;  ///< s
+  float time_step = 0.002f;  ///< s
   int longest_steps = 0;     ///< of one flight
 
   float lift_low = 0.8f;  ///< lift-off speed upward over friction velocity, smallest and range
@@ -63,12 +63,13 @@ struct GrainLaw {
   float reptation_cells = 1.2f;    ///< mean reptation for an impact of 1 m/s, cells
   float reptation_slope = 1.5f;    ///< how much a rise of 1 shortens it
   float sideways = 0.3f;           ///< share of reptating grains that go across the wind
-  float rolling = 0;               ///< chance to roll to a lower neighbour, for a slope of 1
+  float rolling = 2;               ///< chance to roll to a lower neighbour, for a slope of 1
 
   float wind_speed[profile_nodes] = {};  ///< m/s at the heights of the nodes above the ground
   float cotangent[draw_nodes] = {};      ///< of the lift-off angle
   float exponential[draw_nodes] = {};    ///< quantiles of the exponential distribution of mean 1
   float drag[draw_nodes] = {};           ///< 1/m: deceleration over relative speed squared, by quantile of the size
+  float viscous[draw_nodes] = {};        ///< 1/s: deceleration over relative speed, by quantile of the size
   float threshold[draw_nodes] = {};      ///< m/s: smallest friction velocity that lifts a grain of this quantile
 };
 
@@ -91,8 +92,9 @@ struct Grain {
   float speed_u = 0;  ///< m/s
   float speed_v = 0;
   float speed_z = 0;
-  float drag = 0;   ///< 1/m
-  float along = 0;  ///< m flown downwind so far
+  float drag = 0;     ///< 1/m
+  float viscous = 0;  ///< 1/s
+  float along = 0;    ///< m flown downwind so far
 };
 
 /// The ground under a point between cell centres.
@@ -174,6 +176,12 @@ ERG_CELL_RULE float arc_tangent(float ratio) {
   return quarter_turn - ratio / (ratio * ratio + 0.28f);
 }
 
+/// Makes the grain one of this quantile of sizes.
+ERG_CELL_RULE void give_size(const GrainLaw& law, int size, Grain& grain) {
+  grain.drag = law.drag[size];
+  grain.viscous = law.viscous[size];
+}
+
 /// Sets a grain off from a random place in the cell, in the local wind.
 ERG_CELL_RULE void set_off(const GrainLaw& law, const FrozenGround& ground, int u, int v, GrainDice& dice,
                            Grain& grain) {
@@ -186,8 +194,8 @@ ERG_CELL_RULE void set_off(const GrainLaw& law, const FrozenGround& ground, int 
   grain.speed_u = forward * law.toward_u;
   grain.speed_v = forward * law.toward_v;
   grain.speed_z = upward + grain.speed_u * spot.slope_u + grain.speed_v * spot.slope_v;  // relative to the ground
-  grain.drag = law.drag[dice.node()];
   grain.along = 0;
+  give_size(law, dice.node(), grain);
 }
 
 /// Sets a grain of the cell off into the air. False where none can leave: nothing loose, shelter, too weak a wind.
@@ -199,7 +207,7 @@ ERG_CELL_RULE bool lift_off(const GrainLaw& law, const FrozenGround& ground, int
     return false;
   }
   set_off(law, ground, u, v, dice, grain);
-  grain.drag = law.drag[size];
+  give_size(law, size, grain);
   return true;
 }
 
@@ -224,7 +232,7 @@ ERG_CELL_RULE void advance(const GrainLaw& law, const GroundSpot& spot, Grain& g
   const float against_u = wind * law.toward_u - grain.speed_u;
   const float against_v = wind * law.toward_v - grain.speed_v;
   const float relative = std::sqrt(against_u * against_u + against_v * against_v + grain.speed_z * grain.speed_z);
-  const float pull = grain.drag * relative * law.time_step;
+  const float pull = (grain.drag * relative + grain.viscous) * law.time_step;
   const float kept = 1 / (1 + pull);
   grain.speed_u += against_u * pull * kept;
   grain.speed_v += against_v * pull * kept;

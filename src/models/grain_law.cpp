@@ -36,6 +36,8 @@ void fill_sizes(const ParameterValues& values, GrainLaw& law) {
     const double spread = values.real("diameter_spread") * normal_quantile(share_of(node));
     const double diameter = median_diameter(values) * std::exp(spread);
     law.drag[node] = static_cast<float>(0.75 * ratio * values.real("drag_coefficient") / diameter);
+    law.viscous[node] =
+        static_cast<float>(18 * values.real("air_viscosity") / (values.real("grain_density") * diameter * diameter));
     law.threshold[node] = static_cast<float>(lifting_threshold(values, diameter));
   }
 }
@@ -70,8 +72,13 @@ Parameters air_and_grain_parameters() {
       real_parameter("diameter", "Diameter of a grain", "mm", 0.25, 0.02, 3, "Median diameter of the grains."),
       real_parameter("diameter_spread", "Spread of diameters", "", 0, 0, 1.5,
                      "Standard deviation of the logarithm of the diameter (log-normal); 0: all grains alike."),
-      real_parameter("drag_coefficient", "Drag coefficient", "", 0.5, 0, 10, "Drag coefficient of a grain in air.",
-                     "Cimbura 2022, sec. 5.11"),
+      real_parameter(
+          "drag_coefficient", "Drag coefficient", "", 1, 0, 10,
+          "The part of the drag coefficient that does not depend on speed; the viscous part, 24 / Re, comes on "
+          "top. Cimbura 2022 has .5 alone, which is right for grains of centimetres.",
+          "near White 1991, eq. 3-225"),
+      real_parameter("air_viscosity", "Viscosity of the air", "kg/(m s)", 1.8e-5, 0, 1e-3,
+                     "Dynamic viscosity of the air, for the viscous part of the drag (Stokes)."),
       real_parameter("roughness_ratio", "Diameter over roughness", "", 30, 1, 1000,
                      "The log profile starts at the median diameter divided by this.", "Bagnold 1941"),
       real_parameter("threshold_coefficient", "Threshold coefficient", "", 0.0123, 0, 1,
@@ -109,7 +116,7 @@ Parameters flight_parameters() {
       real_parameter("stop_speed", "Stop speed", "m/s", 0.6, 0, 100,
                      "A grain that leaves a bounce more slowly stays where it is."),
       integer_parameter("bounce_limit", "Bounces", "", 6, 1, 1000, "A grain stays after so many bounces."),
-      real_parameter("time_step", "Time step", "ms", 1, 0.01, 10, "Time step of the flight."),
+      real_parameter("time_step", "Time step", "ms", 2, 0.01, 10, "Time step of the flight."),
       real_parameter("longest_flight", "Longest flight", "s", 20, 0.1, 1000,
                      "A grain still flying after this time is put down where it is and counted as cut off."),
   };
@@ -117,7 +124,7 @@ Parameters flight_parameters() {
 
 Parameters bed_parameters() {
   return {
-      real_parameter("parcel_height", "Height of a parcel", "mm", 0.5, 0.001, 100,
+      real_parameter("parcel_height", "Height of a parcel", "mm", 0.25, 0.001, 100,
                      "Grains move in parcels; one raises its cell by this. How many grains that is: see what the "
                      "values mean."),
       integer_parameter("sub_steps", "Sub-steps", "", 4, 1, 64,
@@ -133,7 +140,7 @@ Parameters bed_parameters() {
       real_parameter("reptation_slope", "Reptation uphill", "", 1.5, 0, 100,
                      "The way is multiplied by 1 - this * slope, at least by .1: shorter uphill, longer downhill."),
       real_parameter("sideways", "Sideways", "", 0.3, 0, 1, "Share of reptating grains that go across the wind."),
-      real_parameter("rolling", "Rolling", "", 3, 0, 100,
+      real_parameter("rolling", "Rolling", "", 2, 0, 100,
                      "Chance that a grain which comes to rest rolls on into a lower neighbour, for a slope of 1."),
       real_parameter("repose_angle", "Angle of repose", "deg", 33, 1, 80, "Slopes steeper than this slide."),
   };

@@ -294,13 +294,16 @@ StepReport GrainModel::report(Terrain& terrain, const Totals& totals) {
 std::vector<Reading> GrainModel::readings() const {
   const double impacts = flights_.impacts > 0 ? static_cast<double>(flights_.impacts) : 1;
   const double lifts = lifts_ > 0 ? static_cast<double>(lifts_) : 1;
-  return {{"hop", "Hop", "m", static_cast<double>(flights_.hop_micrometres) * 1e-6 / impacts},
-          {"impact_angle", "Impact angle", "deg",
-           degrees(static_cast<double>(flights_.angle_microradians) * 1e-6 / impacts)},
-          {"impacts_a_flight", "Impacts a flight", "", static_cast<double>(flights_.impacts) / lifts},
-          {"splash_an_impact", "Grains loosened by an impact", "", static_cast<double>(flights_.splashed) / impacts},
-          {"grain_steps", "Time steps of all grains", "", static_cast<double>(flights_.grain_steps)},
-          {"cut_off", "Flights cut off so far", "", static_cast<double>(cut_off_)}};
+  return {
+      {"hop", "Mean leap from ground to ground", "m", static_cast<double>(flights_.hop_micrometres) * 1e-6 / impacts},
+      {"flight", "Mean way of a grain until it rests", "m",
+       static_cast<double>(flights_.hop_micrometres) * 1e-6 / lifts},
+      {"impact_angle", "Impact angle", "deg",
+       degrees(static_cast<double>(flights_.angle_microradians) * 1e-6 / impacts)},
+      {"impacts_a_flight", "Impacts a flight", "", static_cast<double>(flights_.impacts) / lifts},
+      {"splash_an_impact", "Grains loosened by an impact", "", static_cast<double>(flights_.splashed) / impacts},
+      {"grain_steps", "Time steps of all grains", "", static_cast<double>(flights_.grain_steps)},
+      {"cut_off", "Flights cut off so far", "", static_cast<double>(cut_off_)}};
 }
 
 namespace {
