@@ -98,7 +98,7 @@ void GrainBed::load(const Terrain& terrain, const WindFrame& frame, double fall,
   fall_ = fall;
   shelter_ = std::move(shelter);
   const std::size_t cells = terrain.extent().cells();
-  for (Counts* counts : {&bedrock_, &mobile_, &bonded_, &gone_, &come_, &asked_, &asked_speed_}) {
+  for (Counts* counts : {&bedrock_, &mobile_, &bonded_, &gone_, &come_, &stirred_, &asked_, &asked_speed_}) {
     counts->assign(cells, 0);
   }
   const Field* bonded = find_field(terrain, bonded_field);
@@ -223,6 +223,7 @@ void GrainBed::settle_accounts(Executor& executor) {
   executor.for_pieces(static_cast<std::int64_t>(cells()), [this](std::int64_t first, std::int64_t last) {
     for (auto cell = static_cast<std::size_t>(first); cell < static_cast<std::size_t>(last); ++cell) {
       mobile_[cell] += come_[cell] - gone_[cell];
+      stirred_[cell] += come_[cell] + gone_[cell];
       come_[cell] = gone_[cell] = 0;
     }
   });
@@ -315,8 +316,8 @@ void GrainBed::creep(Executor& executor, double chance, StepKey key, std::uint64
 void GrainBed::bond(Executor& executor, double share, StepKey key, std::uint64_t sweep) {
   executor.for_pieces(static_cast<std::int64_t>(cells()), [&, this](std::int64_t first, std::int64_t last) {
     for (auto cell = static_cast<std::size_t>(first); cell < static_cast<std::size_t>(last); ++cell) {
-      const double loose = mobile_[cell] - bonded_[cell];
-      bonded_[cell] += static_cast<std::int32_t>(loose * share + random_unit(key, sweep, cell, 0));
+      const std::int32_t resting = mobile_[cell] - bonded_[cell] - stirred_[cell];
+      if (resting > 0 && random_unit(key, sweep, cell, 0) < share) bonded_[cell] += resting;
     }
   });
 }

@@ -58,7 +58,7 @@ class GrainBed {
   void slide(Executor& executor, StandingSteps steps, int passes, StepKey key, std::uint64_t sweep);
   /// Loose grains creep to lower neighbours, each with a chance of `chance` times the parcels between them.
   void creep(Executor& executor, double chance, StepKey key, std::uint64_t sweep);
-  /// A share of the loose grains bonds.
+  /// In a share of the cells all loose grains bond that have rested since the last `load`.
   void bond(Executor& executor, double share, StepKey key, std::uint64_t sweep);
 
  private:
@@ -86,6 +86,7 @@ class GrainBed {
   Counts bonded_;
   Counts gone_;
   Counts come_;
+  Counts stirred_;  // grains that came or went since the last load
   Counts asked_;
   Counts asked_speed_;  // in 1/64 m/s, summed over the grains asked for
   std::vector<float> shelter_;

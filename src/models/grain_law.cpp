@@ -158,8 +158,9 @@ Parameters plant_and_snow_parameters() {
                      "The wind has recovered so far behind a plant.", "Wolfe & Nickling 1993"),
       real_parameter("wake_spread", "Spread of the wake", "", 0.15, 0, 2,
                      "How much the wake widens to either side, over the distance."),
-      real_parameter("bonding_time", "Bonding time", "steps", 0, 0, 1e9,
-                     "Snow that rests bonds, from below, in this time (to 1/e); 0: never, as sand."),
+      real_parameter(
+          "bonding_time", "Bonding time", "steps", 0, 0, 1e9,
+          "Mean time until the snow of a cell bonds, save what came or went in the last step; 0: never, as sand."),
       real_parameter("abrasion", "Abrasion", "", 0.02, 0, 1,
                      "Chance that an impact which finds nothing loose frees a bonded grain."),
       real_parameter("settling", "Settling", "", 0, 0, 0.25,
