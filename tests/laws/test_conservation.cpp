@@ -52,6 +52,7 @@ TEST_P(EveryModel, KeepsItsSandAmongRocks) {
     for (const bool stop : {true, false}) {
       for (const double bearing : {270.0, 205.0}) {
         World world{.model = GetParam(), .wind = {bearing, 7}, .settings = {{"obstacles", stop}}};
+        if (!stop && !world.applies()) continue;
         Terrain terrain = world.strewn();
         raise_rocks(terrain, 20);
         world.run(terrain, machine.options, 12);

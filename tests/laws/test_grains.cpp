@@ -151,7 +151,7 @@ TEST(Grains, TheProfileIsLogarithmicAndItsTableExact) {
 TEST(Grains, RipplesLieAcrossTheWindAndMoveDownwind) {
   for (const double bearing : {270.0, 235.0, 180.0}) {
     GrainRun run({{"strength_is", std::string("friction_velocity")}});
-    run.steps(60, {bearing, 0.4});
+    run.steps(45, {bearing, 0.4});
     const SpectrumNumbers numbers = measure_spectrum(run.surface());
     EXPECT_LE(std::abs(std::remainder(numbers.crest_bearing - bearing - 90, 180.0)), 10) << bearing;
     EXPECT_GT(numbers.alignment, 0.25) << bearing;
@@ -165,7 +165,7 @@ TEST(Grains, RipplesLieAcrossTheWindAndMoveDownwind) {
 
 TEST(Grains, WithoutSplashNothingMigrates) {
   GrainRun run({{"splash", 0.0}});
-  run.steps(60, {270, 12});
+  run.steps(45, {270, 12});
   EXPECT_LT(measure(run.terrain).sd_surface, 0.0015);  // ripples would have four times that by now
   EXPECT_LT(run.migration.velocity().value_or(Shift{}).x, 0.05);
 }

@@ -67,7 +67,7 @@ struct World {
   double cell_size() const { return moves_slabs() ? 1.0 : 0.01; }
   /// The wind as the model has it: cells a hop stand for m/s at a height of 10 m, within what nature has.
   WindNow model_wind() const {
-    return moves_slabs() ? wind : WindNow{wind.bearing, std::clamp(2 * wind.strength, 8.0, 16.0)};
+    return moves_slabs() ? wind : WindNow{wind.bearing, std::clamp(1.6 * wind.strength, 8.0, 12.0)};
   }
 
   /// Runs `steps` steps and settles; the sum of what they did.
