@@ -100,6 +100,7 @@ RunView::RunView(Simulation& simulation) {
   view_.terrain = &terrain;
   view_.fields = {&shadow_};
   view_.wind = bearing;
+  view_.paths = simulation.model().paths();
 }
 
 }  // namespace erg

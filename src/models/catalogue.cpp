@@ -1,5 +1,6 @@
 // Every model, one line each. Adding a model: its two files and its line here.
 #include "models/bishop.h"
+#include "models/grains.h"
 #include "models/model.h"
 #include "models/momiji.h"
 #include "models/werner.h"
@@ -11,6 +12,7 @@ const std::vector<ModelType>& catalogue() {
       werner(),
       momiji(),
       bishop(),
+      grains(),
   };
   return models;
 }
