@@ -27,9 +27,9 @@ struct RunRequest {
   bool quiet = false;
 };
 
-/// The decoded picture of an *image* scene; nothing for all other kinds. Throws InputError for a missing or damaged
-/// file.
-std::optional<HeightPicture> read_scene_picture(const Config& config);
+/// The decoded picture that a group of values wants (of an *image* scene, of a model); nothing where it wants none.
+/// Throws InputError for a missing or damaged file.
+std::optional<HeightPicture> read_picture_of(const ParameterValues& values);
 
 /// Builds the scene of a config, reading its picture if it has one.
 Simulation start_simulation(const Config& config);

@@ -2,6 +2,7 @@
 #include "models/bishop.h"
 #include "models/model.h"
 #include "models/momiji.h"
+#include "models/nield_baas.h"
 #include "models/werner.h"
 
 namespace erg {
@@ -11,6 +12,7 @@ const std::vector<ModelType>& catalogue() {
       werner(),
       momiji(),
       bishop(),
+      nield_baas(),
   };
   return models;
 }

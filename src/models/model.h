@@ -24,12 +24,22 @@ struct ModelInfo {
   std::string leaves_out;      ///< what it does not model
   std::string step;            ///< what one time step means
   std::string strength_label;  ///< what the wind's strength is: "hop length, cells"
+  bool snow = false;           ///< the mobile layer is snow, and the temperature matters
+};
+
+/// What the beginning of a run may need besides the terrain.
+struct Beginning {
+  std::uint64_t seed = 0;
+  const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
 };
 
 /// A model at work on one terrain.
 class Model {
  public:
   virtual ~Model() = default;
+
+  /// Called before `begin`, which it outlives.
+  virtual void prepare(const Beginning&) {}
 
   /// Height of one quantum in m.
   virtual double quantum() const = 0;
