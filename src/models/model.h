@@ -30,6 +30,7 @@ struct ModelInfo {
 /// What the beginning of a run may need besides the terrain.
 struct Beginning {
   std::uint64_t seed = 0;
+  double temperature = -10;              ///< deg C
   const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
 };
 

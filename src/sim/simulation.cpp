@@ -31,7 +31,8 @@ Simulation::Simulation(Config config, RunState state) : config_(std::move(config
 void Simulation::begin_model(const HeightPicture* picture) {
   Grid<float> on_grid;
   if (picture != nullptr) on_grid = resample(*picture, state_.terrain.extent());
-  model_->prepare({static_cast<std::uint64_t>(config_.run.integer("seed")), picture != nullptr ? &on_grid : nullptr});
+  model_->prepare({static_cast<std::uint64_t>(config_.run.integer("seed")), weather(0).temperature,
+                   picture != nullptr ? &on_grid : nullptr});
   model_->begin(state_.terrain);
 }
 
