@@ -100,6 +100,7 @@ RunView::RunView(Simulation& simulation) {
   view_.terrain = &terrain;
   view_.fields = {&shadow_};
   view_.wind = bearing;
+  if (simulation.model_type().info.material == Material::snow) view_.cover = Cover::snow;
 }
 
 }  // namespace erg

@@ -28,10 +28,20 @@ struct ModelInfo {
   Material material = Material::sand;  ///< what it moves
 };
 
+/// What the beginning of a run may need besides the terrain.
+struct Beginning {
+  std::uint64_t seed = 0;
+  double temperature = -10;              ///< deg C
+  const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
+};
+
 /// A model at work on one terrain.
 class Model {
  public:
   virtual ~Model() = default;
+
+  /// Called before `begin`, which it outlives.
+  virtual void prepare(const Beginning&) {}
 
   /// Height of one quantum in m.
   virtual double quantum() const = 0;

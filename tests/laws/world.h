@@ -50,10 +50,18 @@ struct World {
 
   ParameterValues values() const {
     ParameterValues values(find_model(model).parameters);
-    for (const auto& [key, value] : settings) values.set(key, value);
+    for (const auto& [key, value] : settings) {
+      if (values.find(key) != nullptr) values.set(key, value);  // no model has all of them
+    }
     return values;
   }
   double quantum() const { return values().real("slab_height"); }
+  /// The wind in the model's own unit: where that is m/s, a gale that moves snow.
+  WindNow weather() const {
+    WindNow now = wind;
+    if (find_model(model).info.strength_label.ends_with("m/s")) now.strength = 18;
+    return now;
+  }
 
   /// Runs `steps` steps and settles; the sum of what they did.
   StepReport run(Terrain& terrain, const ExecutorOptions& options, int steps, int first_step = 0) const {
@@ -62,9 +70,11 @@ struct World {
   }
   StepReport run(Terrain& terrain, Executor& executor, int steps, int first_step = 0) const {
     const auto made = find_model(model).make(values());
+    made->prepare({.seed = seed});
+    made->begin(terrain);
     StepReport total;
     for (int step = first_step; step < first_step + steps; ++step) {
-      total += made->step(terrain, wind, {seed, static_cast<std::uint64_t>(step)}, executor);
+      total += made->step(terrain, weather(), {seed, static_cast<std::uint64_t>(step)}, executor);
     }
     executor.settle(terrain);
     return total;
