@@ -3,16 +3,16 @@
 #include "models/grains.h"
 #include "models/model.h"
 #include "models/momiji.h"
+#include "models/nield_baas.h"
+#include "models/snow_packing.h"
+#include "models/snow_sintering.h"
 #include "models/werner.h"
 
 namespace erg {
 
 const std::vector<ModelType>& catalogue() {
   static const std::vector<ModelType> models{
-      werner(),
-      momiji(),
-      bishop(),
-      grains(),
+      werner(), momiji(), bishop(), nield_baas(), snow_packing(), snow_sintering(), grains(),
   };
   return models;
 }

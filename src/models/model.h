@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/grain_path.h"
+#include "core/material.h"
 #include "core/parameters.h"
 #include "core/random.h"
 #include "core/terrain.h"
@@ -18,13 +19,21 @@ namespace erg {
 
 /// What a model is, for people.
 struct ModelInfo {
-  std::string key;             ///< name in configs and on the command line
-  std::string title;           ///< "Momiji et al. 2000"
-  std::string citation;        ///< the publication
-  std::string makes;           ///< what it makes
-  std::string leaves_out;      ///< what it does not model
-  std::string step;            ///< what one time step means
-  std::string strength_label;  ///< what the wind's strength is: "hop length, cells"
+  std::string key;                     ///< name in configs and on the command line
+  std::string title;                   ///< "Momiji et al. 2000"
+  std::string citation;                ///< the publication
+  std::string makes;                   ///< what it makes
+  std::string leaves_out;              ///< what it does not model
+  std::string step;                    ///< what one time step means
+  std::string strength_label;          ///< what the wind's strength is: "hop length, cells"
+  Material material = Material::sand;  ///< what it moves
+};
+
+/// What the beginning of a run may need besides the terrain.
+struct Beginning {
+  std::uint64_t seed = 0;
+  double temperature = -10;              ///< deg C
+  const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
 };
 
 /// A number that a model tells about itself, besides what every StepReport says.
@@ -39,6 +48,9 @@ struct Reading {
 class Model {
  public:
   virtual ~Model() = default;
+
+  /// Called before `begin`, which it outlives.
+  virtual void prepare(const Beginning&) {}
 
   /// Height of one quantum in m.
   virtual double quantum() const = 0;

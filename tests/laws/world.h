@@ -52,7 +52,7 @@ struct World {
   ParameterValues values() const {
     ParameterValues values(find_model(model).parameters);
     for (const auto& [key, value] : settings) {
-      if (values.find(key) != nullptr) values.set(key, value);
+      if (values.find(key) != nullptr) values.set(key, value);  // no model has all of them
     }
     return values;
   }
@@ -65,9 +65,15 @@ struct World {
   double quantum() const { return find_model(model).make(values())->quantum(); }
   /// Grains make ripples of centimetres.
   double cell_size() const { return moves_slabs() ? 1.0 : 0.01; }
-  /// The wind as the model has it: cells a hop stand for m/s at a height of 10 m, within what nature has.
-  WindNow model_wind() const {
-    return moves_slabs() ? wind : WindNow{wind.bearing, std::clamp(1.6 * wind.strength, 8.0, 12.0)};
+  /// The wind in the model's own unit: where that is m/s, one that moves grains, or a gale that moves snow.
+  WindNow weather() const {
+    WindNow now = wind;
+    if (!moves_slabs()) {
+      now.strength = std::clamp(1.6 * wind.strength, 8.0, 12.0);
+    } else if (find_model(model).info.strength_label.ends_with("m/s")) {
+      now.strength = 18;
+    }
+    return now;
   }
 
   /// Runs `steps` steps and settles; the sum of what they did.
@@ -77,10 +83,11 @@ struct World {
   }
   StepReport run(Terrain& terrain, Executor& executor, int steps, int first_step = 0) const {
     const auto made = find_model(model).make(values());
+    made->prepare({.seed = seed});
     made->begin(terrain);
     StepReport total;
     for (int step = first_step; step < first_step + steps; ++step) {
-      total += made->step(terrain, model_wind(), {seed, static_cast<std::uint64_t>(step)}, executor);
+      total += made->step(terrain, weather(), {seed, static_cast<std::uint64_t>(step)}, executor);
     }
     executor.settle(terrain);
     return total;
