@@ -29,7 +29,7 @@ Parameters wind_parameters() {
   return {real_parameter("roughness", "Roughness length", "mm", 0.24, 0.001, 100,
                          "Of the snow: friction velocity = 0.4 U / ln(10 m / z0).", "Pomeroy & Gray 1990"),
           real_parameter("air_density", "Density of air", "kg/m3", 1.3, 0.1, 3, "Of the air that drives the flux."),
-          real_parameter("speed_by_height", "Speed-up by height", "1/m", 6, 0, 100,
+          real_parameter("speed_by_height", "Speed-up by height", "1/m", 3, 0, 100,
                          "How much faster the wind is for each metre that the smoothed surface stands over its "
                          "surroundings.",
                          tuned),
@@ -50,7 +50,7 @@ Parameters loose_parameters() {
       real_parameter("hop_factor", "Length of hops", "", 10, 0.1, 1000,
                      "A hop in heights of saltation, 0.0844 u*^1.27 m.",
                      "height: Pomeroy & Male 1992; factor: our own"),
-      real_parameter("clearance", "Clearance", "m", 0.005, 0, 10,
+      real_parameter("clearance", "Clearance", "m", 0.1, 0, 10,
                      "A slab flies at the height over the smoothed surface that it left from; ground higher by more "
                      "than this ends the hop.",
                      tuned),
@@ -67,7 +67,10 @@ Parameters loose_parameters() {
                      "Loose snow slides down steeper slopes; bonded snow never."),
       boolean_parameter("obstacles", "Obstacles stop slabs", true,
                         "A flying slab drops before bedrock that stands too steeply; off, slabs cross."),
-      real_parameter("suspension", "Carried off", "", 0, 0, 1, "Chance that a hop carries a slab away for good.", ours),
+      real_parameter("suspension", "Carried off", "", 0.02, 0, 1,
+                     "Chance that a hop carries a slab away for good, times (wind / suspension_wind)^2 - 1.", ours),
+      real_parameter("suspension_wind", "Carried off from", "m/s", 15, 0.1, 1000,
+                     "Wind from which on snow is carried off.", ours),
       real_parameter("snowfall", "Snowfall", "mm/h", 0, 0, heaviest_snowfall,
                      "Snow that falls all the time, as it lies; that of the wind's seasons comes on top. It comes to "
                      "rest on the lowest of nine cells.",
@@ -228,7 +231,6 @@ void SnowSintering::prepare_law(const Terrain& terrain, std::uint64_t seed) {
   law_.rest_loose = real("rest_loose");
   law_.rest_hard = real("rest_hard");
   law_.rest_ground = real("rest_ground");
-  law_.suspension = real("suspension");
   const double saltation = 0.68 * values_.real("air_density") / gravity / loose_density;
   law_.lift_scale =
       static_cast<float>(saltation * values_.real("time_step") * values_.real("rest_loose") / (quantum() * cell_size));
@@ -263,6 +265,8 @@ void SnowSintering::prepare_law(const Terrain& terrain, std::uint64_t seed) {
 void SnowSintering::update_law(const WindNow& wind, StepKey key) {
   law_.wind = static_cast<float>(wind.strength);
   law_.threshold = static_cast<float>(mean_threshold(wind.temperature));
+  const double excess = wind.strength / values_.real("suspension_wind");
+  law_.suspension = static_cast<float>(std::clamp(values_.real("suspension") * (excess * excess - 1), 0.0, 1.0));
   law_.bonded_threshold = law_.threshold + static_cast<float>(values_.real("bonded_spread"));
   law_.bonding = static_cast<float>(
       std::min(1.0, static_cast<double>(law_.step_hours) / bonding_hours(values_, wind.temperature)));

@@ -191,7 +191,9 @@ void SnowMachine::fly(Place place, std::uint64_t word, Sink& sink, bool enters) 
     word = mix64(word);
     const std::size_t start = cell(place.u, place.v);
     const float start_height = relative_[start] + law.clearance;
-    float rows_exact = hop_cells(law, speed_[start]) * cosine;
+    // Hops of one wind differ: half to one and a half times the mean.
+    const float spread = 0.5f + unit_24(static_cast<std::uint32_t>(word >> 24));
+    float rows_exact = hop_cells(law, speed_[start]) * cosine * spread;
     if (enters) rows_exact *= unit_24(static_cast<std::uint32_t>(word >> 8));
     enters = false;
     const int rows = std::max(1, static_cast<int>(rows_exact + unit_24(static_cast<std::uint32_t>(word))));
