@@ -26,15 +26,18 @@ void add_validate_command(CLI::App& program, Action& action) {
   struct Options {
     ValidationOptions validation;
     std::string out;
+    bool snow = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("validate", "Measure what is in print beside this program's figures (long)");
   command->add_flag("--quick", options->validation.quick, "Fewer seeds and steps, only the small scenes");
+  command->add_flag("--snow", options->snow, "Only which forms sintering snow takes, by wind and calm hours");
   command->add_option("--out", options->out, "Markdown file to write (default: print)");
   command->callback([&action, options] {
     action = [options] {
-      const std::string document = validation_document(options->validation);
+      const std::string document =
+          options->snow ? snow_section(options->validation) : validation_document(options->validation);
       if (options->out.empty()) {
         std::cout << document;
       } else {

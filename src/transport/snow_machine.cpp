@@ -76,6 +76,20 @@ StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw
   return report_;
 }
 
+/// Calls visit(u, v) for all u below `width` and v below `length` on all threads, neighbours in memory one after
+/// another.
+template <typename Visit>
+void SnowMachine::for_frame(int width, int length, const Visit& visit) const {
+  const bool lines_in_memory = frame_.step_v == 1 || frame_.step_v == -1;
+  executor_->for_pieces(lines_in_memory ? width : length, [&](std::int64_t begin, std::int64_t end) {
+    for (int outer = static_cast<int>(begin); outer < end; ++outer) {
+      for (int inner = 0; inner < (lines_in_memory ? length : width); ++inner) {
+        visit(lines_in_memory ? outer : inner, lines_in_memory ? inner : outer);
+      }
+    }
+  });
+}
+
 // --- weather ---
 
 void SnowMachine::measure_weather(double shadow_fall) {
@@ -372,16 +386,20 @@ void SnowMachine::slide() {
   }
 }
 
-/// The edges along (or across) the wind that begin at even (odd) rows; the edge over the border comes by itself.
+/// The edges along (or across) the wind that begin at even (odd) places; those over the border come by themselves.
 void SnowMachine::slide_class(bool along, int odd) {
-  const int lines = along ? frame_.width : frame_.length;
   const int count = along ? frame_.length : frame_.width;
-  const auto at = [&](int line, int place) { return along ? cell(line, place) : cell(place, line); };
-  executor_->for_pieces(lines, [&](std::int64_t begin, std::int64_t end) {
-    for (int line = static_cast<int>(begin); line < end; ++line) {
-      for (int place = odd; place + 1 < count; place += 2) slide_edge(at(line, place), at(line, place + 1));
-      if (odd == 1 && boundary_ == Boundary::torus && count > 2) slide_edge(at(line, count - 1), at(line, 0));
+  const int edges = (count - odd) / 2;
+  for_frame(along ? frame_.width : edges, along ? edges : frame_.length, [&](int u, int v) {
+    if (along) {
+      slide_edge(cell(u, 2 * v + odd), cell(u, 2 * v + odd + 1));
+    } else {
+      slide_edge(cell(2 * u + odd, v), cell(2 * u + odd + 1, v));
     }
+  });
+  if (odd == 0 || boundary_ == Boundary::open || count < 3) return;
+  for_frame(along ? frame_.width : 1, along ? 1 : frame_.length, [&](int u, int v) {
+    slide_edge(along ? cell(u, count - 1) : cell(count - 1, v), along ? cell(u, 0) : cell(0, v));
   });
 }
 
@@ -434,24 +452,20 @@ void SnowMachine::let_snow_fall() {
 /// Loose snow bonds from below; bonded snow grows older.
 void SnowMachine::rest() {
   const std::uint64_t base = random_word(key_, 0, 0, bonds);
-  executor_->for_pieces(frame_.width, [&](std::int64_t begin, std::int64_t end) {
-    for (int u = static_cast<int>(begin); u < end; ++u) {
-      for (int v = 0; v < frame_.length; ++v) {
-        const std::size_t here = cell(u, v);
-        std::int32_t& loose = layers_->loose[here];
-        float& age = layers_->age[here];
-        if (loose == mobile_[here]) age = 0;  // nothing bonded is left
-        const float bonded = static_cast<float>(mobile_[here] - loose);
-        if (bonded > 0) age += law_->step_hours;
-        if (loose <= 0) continue;
-        const auto random = static_cast<std::uint32_t>(cell_word(base, number(u, v)) >> 40);
-        const int bonding = bonding_slabs(*law_, loose, random);
-        if (bonding == 0) continue;
-        const float rested = law_->now - layers_->landed[here] + law_->step_hours;
-        age = (age * bonded + rested * static_cast<float>(bonding)) / (bonded + static_cast<float>(bonding));
-        loose -= bonding;
-      }
-    }
+  for_frame(frame_.width, frame_.length, [&](int u, int v) {
+    const std::size_t here = cell(u, v);
+    std::int32_t& loose = layers_->loose[here];
+    float& age = layers_->age[here];
+    if (loose == mobile_[here]) age = 0;  // nothing bonded is left
+    const float bonded = static_cast<float>(mobile_[here] - loose);
+    if (bonded > 0) age += law_->step_hours;
+    if (loose <= 0) return;
+    const auto random = static_cast<std::uint32_t>(cell_word(base, number(u, v)) >> 40);
+    const int bonding = bonding_slabs(*law_, loose, random);
+    if (bonding == 0) return;
+    const float rested = law_->now - layers_->landed[here] + law_->step_hours;
+    age = (age * bonded + rested * static_cast<float>(bonding)) / (bonded + static_cast<float>(bonding));
+    loose -= bonding;
   });
 }
 

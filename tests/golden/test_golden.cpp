@@ -31,6 +31,16 @@ std::vector<Golden> golden_runs() {
        {"model=werner", "grid.boundary=open", "grid.inflow=3", "parameters.neighbours=8"},
        "bb18bff29a4ffcb3",
        "60755298a3b484a6"},
+      {"nield_baas",
+       {"model=nield_baas", "parameters.steps_per_year=10", "parameters.spreading=true"},
+       "0000000000000000",
+       "0000000000000000"},
+      {"snow_packing", {"model=snow_packing", "wind.strength=12"}, "0000000000000000", "0000000000000000"},
+      {"snow_sintering",
+       {"model=snow_sintering", "grid.cell_size=0.1", "scene.sand=40", "wind.strength=16", "wind.bearing=243",
+        "parameters.start_age=6", "parameters.snowfall=20"},
+       "0000000000000000",
+       "0000000000000000"},
       {"uneven", {"model=bishop", "scene.kind=uneven", "scene.height=6"}, "966f55000b35ea5b", "8f9be66b3cbea1ea"},
   };
 }

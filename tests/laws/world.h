@@ -56,10 +56,10 @@ struct World {
     return values;
   }
   double quantum() const { return values().real("slab_height"); }
-  /// The wind in the model's own unit: where that is m/s, a gale that moves snow.
+  /// The wind in the model's own unit: where that is m/s, one that moves snow.
   WindNow weather() const {
     WindNow now = wind;
-    if (find_model(model).info.strength_label.ends_with("m/s")) now.strength = 18;
+    if (find_model(model).info.strength_label.ends_with("m/s")) now.strength = 14;
     return now;
   }
 
