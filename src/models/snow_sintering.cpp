@@ -83,10 +83,14 @@ Parameters bonded_parameters() {
                      "Mean time in which loose snow bonds at -10 deg C.", tuned),
       real_parameter("bonding_warmth", "Bonding by warmth", "1/K", 0.08, 0, 1,
                      "The bonding time falls as exp(-0.08 (T + 10)).", "viscosity of snow; form our own"),
-      real_parameter("start_age", "Age at the start", "h", 0, 0, 1e5,
+      real_parameter("start_age", "Age at the start", "h", 0, 0, 1e7,
                      "Calm hours that the snow has lain and bonded before the first step."),
       real_parameter("abrasion", "Abrasion", "", 5, 0, 1000, "Scale of the chance that an impact frees bonded snow.",
                      tuned),
+      real_parameter("entrainment", "Lifting of bonded snow", "1/h", 0.05, 0, 1000,
+                     "Rate at which the wind alone lifts bonded snow an hour old, times (wind / its threshold)^2 - 1: "
+                     "what starts the drift where no snow is loose.",
+                     ours),
       real_parameter("impact_angle", "Angle of impact", "deg", 11, 0, 90,
                      "At which slabs come down on level ground; only the part of the speed into the surface counts.",
                      tuned),
@@ -237,6 +241,7 @@ void SnowSintering::prepare_law(const Terrain& terrain, std::uint64_t seed) {
   law_.standing = standing_step(values_.real("repose_angle"), cell_size, quantum());
   law_.wall = values_.boolean("obstacles") ? law_.standing : std::numeric_limits<int>::max();
   law_.abrasion = real("abrasion");
+  law_.entrainment = static_cast<float>(values_.real("entrainment") * values_.real("time_step") / seconds_per_hour);
   law_.sine = static_cast<float>(std::sin(radians(values_.real("impact_angle"))));
   law_.cosine = static_cast<float>(std::cos(radians(values_.real("impact_angle"))));
   law_.slope_scale = static_cast<float>(quantum() / cell_size);

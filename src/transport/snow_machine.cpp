@@ -186,7 +186,10 @@ bool SnowMachine::inside(int& u, int& v) const {
 template <typename Sink>
 void SnowMachine::poll(Place place, std::uint64_t word, Sink& sink) const {
   const std::size_t here = cell(place.u, place.v);
-  if (layers_->loose[here] <= 0 || (word & 0xffff) >= chance_[here]) return;
+  const bool hard = layers_->loose[here] <= 0;
+  if (hard && (mobile_[here] <= 0 || dark_[here])) return;
+  if ((word & 0xffff) >= (hard ? entrainment_chance(*law_, speed_[here], layers_->age[here]) : chance_[here])) return;
+  if (hard) sink.change(here, Change::free);
   ++sink.report.lifts;
   sink.change(here, Change::lift);
   fly(place, word, sink, false);
@@ -333,6 +336,7 @@ void SnowMachine::poll_lines(std::int64_t begin, std::int64_t end, int sweep, in
   if (sweep < 0) let_drift_enter(collected);
   const std::uint64_t base = random_word(key_, 0, 0, flights);
   const std::uint64_t poll_base = random_word(key_, 0, 0, polls);
+  const float least_wind = law_->threshold + law_->age_threshold.at(law_->step_hours);  // of the freshest loose snow
   for (int u = static_cast<int>(begin); u < end; ++u) {
     const std::uint64_t line_word = cell_word(poll_base, static_cast<std::uint64_t>(u));
     for (int block = 0; block < frame_.length; block += sweeps) {
@@ -341,7 +345,7 @@ void SnowMachine::poll_lines(std::int64_t begin, std::int64_t end, int sweep, in
       const int v = block + rows[byte];
       if (v >= frame_.length) continue;
       const std::size_t here = cell(u, v);
-      if (chance_[here] == 0 || layers_->loose[here] <= 0) continue;
+      if (dark_[here] || speed_[here] < least_wind) continue;
       poll({u, v}, cell_word(base, number(u, v)), collected);
     }
   }
