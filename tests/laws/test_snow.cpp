@@ -90,10 +90,10 @@ TEST(SnowSintering, BooksTheSnowThatFalls) {
 
 TEST(SnowSintering, LooseSnowSlidesAndBondedSnowStands) {
   const auto steepest = [](const std::string& age) {
-    Simulation simulation(
-        snow("snow_sintering",
-             {"grid.nx=64", "grid.ny=64", "grid.cell_size=0.1", "scene.kind=cone", "scene.height=2.2", "scene.radius=20",
-              "scene.sand=1", "wind.strength=0.5", "parameters.bonding_time=100000", "parameters.start_age=" + age}));
+    Simulation simulation(snow(
+        "snow_sintering",
+        {"grid.nx=64", "grid.ny=64", "grid.cell_size=0.1", "scene.kind=cone", "scene.height=2.2", "scene.radius=20",
+         "scene.sand=1", "wind.strength=0.5", "parameters.bonding_time=100000", "parameters.start_age=" + age}));
     for (int step = 0; step < 1500; ++step) simulation.step();
     int most = 0;
     const Terrain& terrain = simulation.terrain();
