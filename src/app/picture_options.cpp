@@ -101,6 +101,7 @@ RunView::RunView(Simulation& simulation) {
   view_.fields = {&shadow_};
   view_.wind = bearing;
   if (simulation.model_type().info.snow) view_.cover = Cover::snow;
+  view_.paths = simulation.model().paths();
 }
 
 }  // namespace erg

@@ -20,6 +20,7 @@ struct RenderRequest {
   std::string out;
   std::int64_t steps = -1;  ///< -1: a config's own number; a checkpoint as it is
   std::vector<std::string> assignments;
+  int paths = 0;  ///< ways of grains to draw
   bool quiet = false;
   PictureRequest picture;
 };
@@ -60,6 +61,7 @@ MetadataEntries provenance_of(Simulation& simulation) {
 
 ExitCode render(const RenderRequest& request) {
   Simulation simulation = start(request);
+  simulation.keep_paths(request.paths);
   const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);
   Renderer renderer;
   // A wrong option should be known before the run, not after it.
@@ -95,6 +97,8 @@ void add_render_command(CLI::App& program, Action& action) {
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command->add_option("--paths", request->paths, "Draw the ways of so many grains in the last step (model grains)")
+      ->check(CLI::Range(0, 100000));
   command->add_flag("--quiet", request->quiet, "Print nothing but errors and notes");
   add_picture_options(*command, request->picture);
   command->callback([&action, request] { action = [request] { return render(*request); }; });

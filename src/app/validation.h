@@ -19,6 +19,8 @@ std::string executors_section(const ValidationOptions& options);
 std::string bearings_section(const ValidationOptions& options);
 /// Which forms sintering snow takes, by wind and calm hours.
 std::string snow_section(const ValidationOptions& options);
+/// Ripples of the grain model under several winds.
+std::string ripples_section(const ValidationOptions& options);
 /// What follows from the rules by algebra.
 std::string identities_section();
 

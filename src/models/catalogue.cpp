@@ -1,5 +1,6 @@
 // Every model, one line each. Adding a model: its two files and its line here.
 #include "models/bishop.h"
+#include "models/grains.h"
 #include "models/model.h"
 #include "models/momiji.h"
 #include "models/nield_baas.h"
@@ -11,7 +12,7 @@ namespace erg {
 
 const std::vector<ModelType>& catalogue() {
   static const std::vector<ModelType> models{
-      werner(), momiji(), bishop(), nield_baas(), snow_packing(), snow_sintering(),
+      werner(), momiji(), bishop(), nield_baas(), snow_packing(), snow_sintering(), grains(),
   };
   return models;
 }

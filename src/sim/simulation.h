@@ -30,6 +30,8 @@ class Simulation {
   const Config& config() const { return config_; }
   const ModelType& model_type() const { return *type_; }
   const Model& model() const { return *model_; }
+  /// Keeps the ways of about so many grains of every step to come (Model::keep_paths).
+  void keep_paths(int count) { model_->keep_paths(count); }
   /// Steps done.
   std::int64_t step_count() const { return state_.step; }
   /// The wind of the step to come.
