@@ -17,11 +17,9 @@ struct Section {
 };
 
 constexpr Section sections[] = {
-    {"published", published_section},
-    {"executors", executors_section},
-    {"bearings", bearings_section},
-    {"ripples", ripples_section},
-    {"identities", [](const ValidationOptions&) { return identities_section(); }},
+    {"published", published_section}, {"executors", executors_section},
+    {"bearings", bearings_section},   {"ripples", ripples_section},
+    {"snow", snow_section},           {"identities", [](const ValidationOptions&) { return identities_section(); }},
 };
 
 std::vector<std::string> section_names() {

@@ -29,7 +29,7 @@ Parameters wind_parameters() {
   return {real_parameter("roughness", "Roughness length", "mm", 0.24, 0.001, 100,
                          "Of the snow: friction velocity = 0.4 U / ln(10 m / z0).", "Pomeroy & Gray 1990"),
           real_parameter("air_density", "Density of air", "kg/m3", 1.3, 0.1, 3, "Of the air that drives the flux."),
-          real_parameter("speed_by_height", "Speed-up by height", "1/m", 6, 0, 100,
+          real_parameter("speed_by_height", "Speed-up by height", "1/m", 3, 0, 100,
                          "How much faster the wind is for each metre that the smoothed surface stands over its "
                          "surroundings.",
                          tuned),
@@ -50,7 +50,7 @@ Parameters loose_parameters() {
       real_parameter("hop_factor", "Length of hops", "", 10, 0.1, 1000,
                      "A hop in heights of saltation, 0.0844 u*^1.27 m.",
                      "height: Pomeroy & Male 1992; factor: our own"),
-      real_parameter("clearance", "Clearance", "m", 0.005, 0, 10,
+      real_parameter("clearance", "Clearance", "m", 0.1, 0, 10,
                      "A slab flies at the height over the smoothed surface that it left from; ground higher by more "
                      "than this ends the hop.",
                      tuned),
@@ -67,7 +67,10 @@ Parameters loose_parameters() {
                      "Loose snow slides down steeper slopes; bonded snow never."),
       boolean_parameter("obstacles", "Obstacles stop slabs", true,
                         "A flying slab drops before bedrock that stands too steeply; off, slabs cross."),
-      real_parameter("suspension", "Carried off", "", 0, 0, 1, "Chance that a hop carries a slab away for good.", ours),
+      real_parameter("suspension", "Carried off", "", 0.02, 0, 1,
+                     "Chance that a hop carries a slab away for good, times (wind / suspension_wind)^2 - 1.", ours),
+      real_parameter("suspension_wind", "Carried off from", "m/s", 15, 0.1, 1000,
+                     "Wind from which on snow is carried off.", ours),
       real_parameter("snowfall", "Snowfall", "mm/h", 0, 0, heaviest_snowfall,
                      "Snow that falls all the time, as it lies; that of the wind's seasons comes on top. It comes to "
                      "rest on the lowest of nine cells.",
@@ -80,10 +83,14 @@ Parameters bonded_parameters() {
                      "Mean time in which loose snow bonds at -10 deg C.", tuned),
       real_parameter("bonding_warmth", "Bonding by warmth", "1/K", 0.08, 0, 1,
                      "The bonding time falls as exp(-0.08 (T + 10)).", "viscosity of snow; form our own"),
-      at_start(real_parameter("start_age", "Age at the start", "h", 0, 0, 1e5,
+      at_start(real_parameter("start_age", "Age at the start", "h", 0, 0, 1e7,
                               "Calm hours that the snow has lain and bonded before the first step.")),
       real_parameter("abrasion", "Abrasion", "", 5, 0, 1000, "Scale of the chance that an impact frees bonded snow.",
                      tuned),
+      real_parameter("entrainment", "Lifting of bonded snow", "1/h", 0.05, 0, 1000,
+                     "Rate at which the wind alone lifts bonded snow an hour old, times (wind / its threshold)^2 - 1: "
+                     "what starts the drift where no snow is loose.",
+                     ours),
       real_parameter("impact_angle", "Angle of impact", "deg", 11, 0, 90,
                      "At which slabs come down on level ground; only the part of the speed into the surface counts.",
                      tuned),
@@ -228,13 +235,13 @@ void SnowSintering::prepare_law(const Terrain& terrain, std::uint64_t seed) {
   law_.rest_loose = real("rest_loose");
   law_.rest_hard = real("rest_hard");
   law_.rest_ground = real("rest_ground");
-  law_.suspension = real("suspension");
   const double saltation = 0.68 * values_.real("air_density") / gravity / loose_density;
   law_.lift_scale =
       static_cast<float>(saltation * values_.real("time_step") * values_.real("rest_loose") / (quantum() * cell_size));
   law_.standing = standing_step(values_.real("repose_angle"), cell_size, quantum());
   law_.wall = values_.boolean("obstacles") ? law_.standing : std::numeric_limits<int>::max();
   law_.abrasion = real("abrasion");
+  law_.entrainment = static_cast<float>(values_.real("entrainment") * values_.real("time_step") / seconds_per_hour);
   law_.sine = static_cast<float>(std::sin(radians(values_.real("impact_angle"))));
   law_.cosine = static_cast<float>(std::cos(radians(values_.real("impact_angle"))));
   law_.slope_scale = static_cast<float>(quantum() / cell_size);
@@ -263,6 +270,8 @@ void SnowSintering::prepare_law(const Terrain& terrain, std::uint64_t seed) {
 void SnowSintering::update_law(const WindNow& wind, StepKey key) {
   law_.wind = static_cast<float>(wind.strength);
   law_.threshold = static_cast<float>(mean_threshold(wind.temperature));
+  const double excess = wind.strength / values_.real("suspension_wind");
+  law_.suspension = static_cast<float>(std::clamp(values_.real("suspension") * (excess * excess - 1), 0.0, 1.0));
   law_.bonded_threshold = law_.threshold + static_cast<float>(values_.real("bonded_spread"));
   law_.bonding = static_cast<float>(
       std::min(1.0, static_cast<double>(law_.step_hours) / bonding_hours(values_, wind.temperature)));

@@ -53,6 +53,7 @@ struct SnowLaw {
   int standing = 16;     ///< slabs: loose snow slides down a larger step
   int wall = 16;         ///< slabs: bedrock standing higher than this over the ground before it stops slabs
   // Bonded snow.
+  float entrainment = 0;  ///< scale of the chance that the wind alone lifts bonded snow in a step
   float abrasion = 5;
   float bonded_threshold = 10;  ///< m/s
   float sine = 0.19f;           ///< of the angle at which slabs come down
@@ -102,6 +103,14 @@ ERG_CELL_RULE std::uint32_t lift_chance(const SnowLaw& law, float speed, float r
   const float still = threshold > 1 ? law.friction * threshold : law.friction;
   const float flux = still / moving * (moving * moving - still * still);
   const float chance = law.lift_scale * flux / hop_cells(law, speed);
+  return chance < 1 ? static_cast<std::uint32_t>(chance * 65536) : 65536u;
+}
+
+/// Chance in 1/65536 that the wind alone frees and lifts a slab of bonded snow of this age (h) in a step.
+ERG_CELL_RULE std::uint32_t entrainment_chance(const SnowLaw& law, float speed, float age) {
+  const float excess = speed * speed / (law.bonded_threshold * law.bonded_threshold) - 1;
+  if (!(excess > 0)) return 0;
+  const float chance = law.entrainment * excess / law.hardening.at(age > 1 ? age : 1);
   return chance < 1 ? static_cast<std::uint32_t>(chance * 65536) : 65536u;
 }
 

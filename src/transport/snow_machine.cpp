@@ -76,6 +76,20 @@ StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw
   return report_;
 }
 
+/// Calls visit(u, v) for all u below `width` and v below `length` on all threads, neighbours in memory one after
+/// another.
+template <typename Visit>
+void SnowMachine::for_frame(int width, int length, const Visit& visit) const {
+  const bool lines_in_memory = frame_.step_v == 1 || frame_.step_v == -1;
+  executor_->for_pieces(lines_in_memory ? width : length, [&](std::int64_t begin, std::int64_t end) {
+    for (int outer = static_cast<int>(begin); outer < end; ++outer) {
+      for (int inner = 0; inner < (lines_in_memory ? length : width); ++inner) {
+        visit(lines_in_memory ? outer : inner, lines_in_memory ? inner : outer);
+      }
+    }
+  });
+}
+
 // --- weather ---
 
 void SnowMachine::measure_weather(double shadow_fall) {
@@ -172,7 +186,10 @@ bool SnowMachine::inside(int& u, int& v) const {
 template <typename Sink>
 void SnowMachine::poll(Place place, std::uint64_t word, Sink& sink) const {
   const std::size_t here = cell(place.u, place.v);
-  if (layers_->loose[here] <= 0 || (word & 0xffff) >= chance_[here]) return;
+  const bool hard = layers_->loose[here] <= 0;
+  if (hard && (mobile_[here] <= 0 || dark_[here])) return;
+  if ((word & 0xffff) >= (hard ? entrainment_chance(*law_, speed_[here], layers_->age[here]) : chance_[here])) return;
+  if (hard) sink.change(here, Change::free);
   ++sink.report.lifts;
   sink.change(here, Change::lift);
   fly(place, word, sink, false);
@@ -191,7 +208,9 @@ void SnowMachine::fly(Place place, std::uint64_t word, Sink& sink, bool enters) 
     word = mix64(word);
     const std::size_t start = cell(place.u, place.v);
     const float start_height = relative_[start] + law.clearance;
-    float rows_exact = hop_cells(law, speed_[start]) * cosine;
+    // Hops of one wind differ: half to one and a half times the mean.
+    const float spread = 0.5f + unit_24(static_cast<std::uint32_t>(word >> 24));
+    float rows_exact = hop_cells(law, speed_[start]) * cosine * spread;
     if (enters) rows_exact *= unit_24(static_cast<std::uint32_t>(word >> 8));
     enters = false;
     const int rows = std::max(1, static_cast<int>(rows_exact + unit_24(static_cast<std::uint32_t>(word))));
@@ -317,6 +336,7 @@ void SnowMachine::poll_lines(std::int64_t begin, std::int64_t end, int sweep, in
   if (sweep < 0) let_drift_enter(collected);
   const std::uint64_t base = random_word(key_, 0, 0, flights);
   const std::uint64_t poll_base = random_word(key_, 0, 0, polls);
+  const float least_wind = law_->threshold + law_->age_threshold.at(law_->step_hours);  // of the freshest loose snow
   for (int u = static_cast<int>(begin); u < end; ++u) {
     const std::uint64_t line_word = cell_word(poll_base, static_cast<std::uint64_t>(u));
     for (int block = 0; block < frame_.length; block += sweeps) {
@@ -325,7 +345,7 @@ void SnowMachine::poll_lines(std::int64_t begin, std::int64_t end, int sweep, in
       const int v = block + rows[byte];
       if (v >= frame_.length) continue;
       const std::size_t here = cell(u, v);
-      if (chance_[here] == 0 || layers_->loose[here] <= 0) continue;
+      if (dark_[here] || speed_[here] < least_wind) continue;
       poll({u, v}, cell_word(base, number(u, v)), collected);
     }
   }
@@ -370,16 +390,20 @@ void SnowMachine::slide() {
   }
 }
 
-/// The edges along (or across) the wind that begin at even (odd) rows; the edge over the border comes by itself.
+/// The edges along (or across) the wind that begin at even (odd) places; those over the border come by themselves.
 void SnowMachine::slide_class(bool along, int odd) {
-  const int lines = along ? frame_.width : frame_.length;
   const int count = along ? frame_.length : frame_.width;
-  const auto at = [&](int line, int place) { return along ? cell(line, place) : cell(place, line); };
-  executor_->for_pieces(lines, [&](std::int64_t begin, std::int64_t end) {
-    for (int line = static_cast<int>(begin); line < end; ++line) {
-      for (int place = odd; place + 1 < count; place += 2) slide_edge(at(line, place), at(line, place + 1));
-      if (odd == 1 && boundary_ == Boundary::torus && count > 2) slide_edge(at(line, count - 1), at(line, 0));
+  const int edges = (count - odd) / 2;
+  for_frame(along ? frame_.width : edges, along ? edges : frame_.length, [&](int u, int v) {
+    if (along) {
+      slide_edge(cell(u, 2 * v + odd), cell(u, 2 * v + odd + 1));
+    } else {
+      slide_edge(cell(2 * u + odd, v), cell(2 * u + odd + 1, v));
     }
+  });
+  if (odd == 0 || boundary_ == Boundary::open || count < 3) return;
+  for_frame(along ? frame_.width : 1, along ? 1 : frame_.length, [&](int u, int v) {
+    slide_edge(along ? cell(u, count - 1) : cell(count - 1, v), along ? cell(u, 0) : cell(0, v));
   });
 }
 
@@ -432,24 +456,20 @@ void SnowMachine::let_snow_fall() {
 /// Loose snow bonds from below; bonded snow grows older.
 void SnowMachine::rest() {
   const std::uint64_t base = random_word(key_, 0, 0, bonds);
-  executor_->for_pieces(frame_.width, [&](std::int64_t begin, std::int64_t end) {
-    for (int u = static_cast<int>(begin); u < end; ++u) {
-      for (int v = 0; v < frame_.length; ++v) {
-        const std::size_t here = cell(u, v);
-        std::int32_t& loose = layers_->loose[here];
-        float& age = layers_->age[here];
-        if (loose == mobile_[here]) age = 0;  // nothing bonded is left
-        const float bonded = static_cast<float>(mobile_[here] - loose);
-        if (bonded > 0) age += law_->step_hours;
-        if (loose <= 0) continue;
-        const auto random = static_cast<std::uint32_t>(cell_word(base, number(u, v)) >> 40);
-        const int bonding = bonding_slabs(*law_, loose, random);
-        if (bonding == 0) continue;
-        const float rested = law_->now - layers_->landed[here] + law_->step_hours;
-        age = (age * bonded + rested * static_cast<float>(bonding)) / (bonded + static_cast<float>(bonding));
-        loose -= bonding;
-      }
-    }
+  for_frame(frame_.width, frame_.length, [&](int u, int v) {
+    const std::size_t here = cell(u, v);
+    std::int32_t& loose = layers_->loose[here];
+    float& age = layers_->age[here];
+    if (loose == mobile_[here]) age = 0;  // nothing bonded is left
+    const float bonded = static_cast<float>(mobile_[here] - loose);
+    if (bonded > 0) age += law_->step_hours;
+    if (loose <= 0) return;
+    const auto random = static_cast<std::uint32_t>(cell_word(base, number(u, v)) >> 40);
+    const int bonding = bonding_slabs(*law_, loose, random);
+    if (bonding == 0) return;
+    const float rested = law_->now - layers_->landed[here] + law_->step_hours;
+    age = (age * bonded + rested * static_cast<float>(bonding)) / (bonded + static_cast<float>(bonding));
+    loose -= bonding;
   });
 }
 

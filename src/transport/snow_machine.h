@@ -66,6 +66,8 @@ class SnowMachine {
   void let_drift_enter(Sink& sink) const;
   template <typename Sink>
   void strike(std::size_t cell, std::size_t from, float flown, std::uint32_t random, Sink& sink) const;
+  template <typename Visit>
+  void for_frame(int width, int length, const Visit& visit) const;
   void slide();
   void slide_class(bool along, int odd);
   void slide_edge(std::size_t a, std::size_t b);

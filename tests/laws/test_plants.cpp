@@ -50,10 +50,10 @@ TEST(Plants, GrowByTheCurveOfTheYearlyBalance) {
 
 /// Slabs that came to lie where plants stand, and where none stand, after sand blew over both.
 double caught_share(const std::string& rho) {
-  Simulation simulation(plants({"grid.nx=64", "grid.ny=64", "scene.sand=8", "wind.strength=1", "run.executor=serial",
-                                "parameters.steps_per_year=100000", "parameters.shadow_angle=80",
-                                "parameters.vegetation=islands", "parameters.mesquite=false",
-                                "parameters.grass_start=" + rho}));
+  Simulation simulation(
+      plants({"grid.nx=64", "grid.ny=64", "scene.sand=8", "wind.strength=1", "run.executor=serial",
+              "parameters.steps_per_year=100000", "parameters.shadow_angle=80", "parameters.vegetation=islands",
+              "parameters.mesquite=false", "parameters.grass_start=" + rho}));
   const std::int64_t all = simulation.terrain().total_mobile();
   for (int step = 0; step < 20; ++step) simulation.step();
   std::int64_t caught = 0;
@@ -92,11 +92,10 @@ TEST(Plants, EndTheRunWhenTheyHoldAllSand) {
 
 TEST(Plants, HoldSteeperSlopes) {
   const auto steepest = [](const std::string& rho) {
-    Simulation simulation(plants({"grid.nx=64", "grid.ny=64", "scene.kind=cone", "scene.height=30", "scene.radius=20",
-                                  "scene.sand=1", "wind.strength=1", "parameters.vegetation=random",
-                                  "parameters.scatter=false", "parameters.mesquite=false",
-                                  "parameters.steps_per_year=100000", "parameters.lift_in_shadow=true",
-                                  "run.executor=cpu"}));
+    Simulation simulation(plants(
+        {"grid.nx=64", "grid.ny=64", "scene.kind=cone", "scene.height=30", "scene.radius=20", "scene.sand=1",
+         "wind.strength=1", "parameters.vegetation=random", "parameters.scatter=false", "parameters.mesquite=false",
+         "parameters.steps_per_year=100000", "parameters.lift_in_shadow=true", "run.executor=cpu"}));
     for (Field& layer : simulation.edit_terrain().edit_fields()) {
       if (layer.info.key == "grass") layer.values.fill(std::stof(rho));
     }

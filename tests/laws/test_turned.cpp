@@ -18,6 +18,9 @@ Terrain moved(const Terrain& terrain, const Map& map) {
       const auto [to_x, to_y] = map(x, y, terrain.nx());
       copy.edit_bedrock()(to_x, to_y) = terrain.bedrock()(x, y);
       copy.edit_mobile()(to_x, to_y) = terrain.mobile()(x, y);
+      for (std::size_t k = 0; k < terrain.fields().size(); ++k) {
+        copy.edit_fields()[k].values(to_x, to_y) = terrain.fields()[k].values(x, y);
+      }
     }
   }
   return copy;
@@ -45,7 +48,11 @@ TEST(TurnedScenes, GiveTurnedRuns) {
     for (const Machine& machine : machines()) {
       for (const Motion& motion : motions()) {
         for (const double bearing : {250.0, 290.0, 340.0}) {
-          World world{.model = model.info.key, .extent = {48, 48}, .wind = {bearing, 5}};
+          // Noise in the ground would not turn with it.
+          World world{.model = model.info.key,
+                      .extent = {48, 48},
+                      .wind = {bearing, 5},
+                      .settings = {{"strength", std::string("even")}}};
           Terrain terrain = world.strewn();
           raise_rocks(terrain, 12);
           Terrain turned = moved(terrain, motion.map);

@@ -65,15 +65,10 @@ struct World {
   double quantum() const { return find_model(model).make(values())->quantum(); }
   /// Grains make ripples of centimetres.
   double cell_size() const { return moves_slabs() ? 1.0 : 0.01; }
-  /// The wind in the model's own unit: where that is m/s, one that moves grains, or a gale that moves snow.
-  WindNow weather() const {
-    WindNow now = wind;
-    if (!moves_slabs()) {
-      now.strength = std::clamp(1.6 * wind.strength, 8.0, 12.0);
-    } else if (find_model(model).info.strength_label.ends_with("m/s")) {
-      now.strength = 18;
-    }
-    return now;
+  /// The wind as the model has it: cells a hop stand for m/s at a height of 10 m, within what nature has.
+  WindNow model_wind() const {
+    if (model == "snow_sintering") return {wind.bearing, 14};
+    return moves_slabs() ? wind : WindNow{wind.bearing, std::clamp(1.6 * wind.strength, 8.0, 12.0)};
   }
 
   /// Runs `steps` steps and settles; the sum of what they did.
@@ -87,7 +82,7 @@ struct World {
     made->begin(terrain);
     StepReport total;
     for (int step = first_step; step < first_step + steps; ++step) {
-      total += made->step(terrain, weather(), {seed, static_cast<std::uint64_t>(step)}, executor);
+      total += made->step(terrain, model_wind(), {seed, static_cast<std::uint64_t>(step)}, executor);
     }
     executor.settle(terrain);
     return total;
