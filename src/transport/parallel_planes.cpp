@@ -179,8 +179,7 @@ void ParallelExecutor::prepare_walls(const SlabLaw& law) {
 template <typename Lane>
 void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength) {
   const auto rows_256 = [&](double above_reference) {
-    const double rows = law.hop.cells(strength, above_reference) * frame_.cosine;
-    return static_cast<std::uint32_t>(std::max<std::int64_t>(1 << fixed_point_bits, fixed_point(rows)));
+    return hop_rows_256({strength, law.hop.linear, law.hop.quadratic, frame_.cosine}, above_reference);
   };
   if (!law.hop.depends_on_height()) {
     hop_table_.assign(1, rows_256(0));

@@ -12,13 +12,12 @@
 
 #include "core/cell_rule.h"
 #include "transport/executor.h"
+#include "transport/sub_sweep.h"
 
 namespace erg {
 
 /// Lines that one strip holds at most; its scratch rows have this stride.
 inline constexpr int strip_lines = 512;
-/// Rows of a tile: slides inside tiles come first, then the seams between them.
-inline constexpr int tile_rows = 32;
 /// Slabs landing at one place that 8-bit lanes can count; more makes the sub-sweep start again with 16-bit lanes.
 inline constexpr int narrow_arrivals = 100;
 
@@ -41,9 +40,10 @@ struct PlaneLayout {
   }
 };
 
-/// Everything that all strips of a sub-sweep share. `Lane` counts slabs: 8 or 16 bits.
+/// Everything that all strips of a sub-sweep share: what was drawn for it, and where it works. `Lane` counts slabs: 8
+/// or 16 bits.
 template <typename Lane>
-struct SweepPlan {
+struct SweepPlan : SubSweep {
   PlaneLayout layout;
   const Lane* before = nullptr;
   Lane* after = nullptr;
@@ -52,26 +52,11 @@ struct SweepPlan {
   const std::uint8_t* wall_rows = nullptr;  ///< with obstacles: 1 where the row holds bedrock that may stop slabs
   bool open = false;
 
-  std::uint64_t sweep_word = 0;              ///< random word of (seed, step, sub-sweep)
-  std::uint64_t poll_word = 0;               ///< the same for polls: of the whole round where polling is non-repeated
-  int sweeps = 16;                           ///< K
-  const std::uint8_t* polled_row = nullptr;  ///< non-repeated: 256 rows in [0, K), one for each random byte
-  std::int64_t drift = 0;                    ///< columns that a line moves over the length of the grid
-  std::int64_t phase = 0;                    ///< in [0, length)
-
-  std::uint32_t p_sand_16 = 0;  ///< chance * 65536
-  std::uint32_t p_bare_16 = 0;
-  bool lift_in_shadow = true;
-  bool oblique = false;
-  std::uint32_t row_fall = 0;       ///< fall of the shadow line per row, 1/256 slabs
-  std::uint32_t adjacent_fall = 0;  ///< to the next row
-  int warm_up = 0;                  ///< rows to read upwind of row 0 before the shadow is known
-  int wall_step = 0;                ///< slabs: bedrock standing higher than this over the ground before it is a wall
+  int warm_up = 0;  ///< rows to read upwind of row 0 before the shadow is known
 
   bool hop_by_height = false;
   const std::uint32_t* hop_table = nullptr;  ///< rows * 256 for each height; one entry if not hop_by_height
   int ring_rows = 0;                         ///< power of two, more than the longest hop
-  double inflow = 0;                         ///< slabs entering per line and sub-sweep
 };
 
 /// Counts of one strip in one sub-sweep.
@@ -113,7 +98,7 @@ struct SlidePlan {
   int diagonal_step = 3;
   bool diagonals = false;
   bool open = false;
-  std::uint8_t order[8] = {};  ///< edge classes (EdgeClass) in the order of this sub-sweep
+  const std::uint8_t* order = nullptr;  ///< edge classes in the order of this sub-sweep
 };
 
 /// A block's cells in some of its rows, which slide by themselves. Tiles are a part of the rules: they depend on the
@@ -122,18 +107,6 @@ struct SlideTile {
   int block = 0;
   int first_row = 0;
   int end_row = 0;
-};
-
-/// Edge classes: edges of one class share no cell.
-enum EdgeClass : std::uint8_t {
-  along_even,
-  along_odd,
-  across_even,
-  across_odd,
-  rising_even,  ///< diagonal (u, v) - (u + 1, v + 1), v even
-  rising_odd,
-  falling_even,  ///< diagonal (u, v) - (u - 1, v + 1), v even
-  falling_odd
 };
 
 template <typename Lane>

@@ -51,7 +51,7 @@ class Conveyor {
     } else {
       warm_up();
     }
-    const int block = plan_.polled_row ? plan_.sweeps : plan_.sweeps / 2;
+    const int block = poll_rows(plan_);
     int row_in_block = 0;
     for (int y = 0; y < plan_.layout.length; ++y) {
       if (row_in_block == 0) draw_polls(y, block);
@@ -188,7 +188,7 @@ class Conveyor {
     fill_random(strip_.target, key);
     Lane* __restrict target = strip_.target;
     const Lane mask = static_cast<Lane>(plan_.sweeps - 1);
-    if (plan_.polled_row) {
+    if (plan_.permuted) {
       for (int i = 0; i < strip_.lines; ++i) target[i] = plan_.polled_row[target[i]];
     } else {
       ERG_EACH(i, lanes_) target[i] = static_cast<Lane>(target[i] & mask);
