@@ -48,7 +48,7 @@ class CudaCalls : public DeviceCalls {
     return cudaMemsetAsync(device, byte, bytes, static_cast<cudaStream_t>(stream));
   }
   Status launch(DeviceKernel kernel, int blocks, const DevicePlan& plan, void* stream) override {
-    kernel_of(kernel)<<<blocks, device_block, 0, static_cast<cudaStream_t>(stream)>>>(plan);
+    on_device::kernel_of(kernel)<<<blocks, device_block, 0, static_cast<cudaStream_t>(stream)>>>(plan);
     return cudaGetLastError();
   }
 };

@@ -3,11 +3,15 @@
 
 #include "cuda/device_plan.h"
 
-#if !defined(__CUDACC__)
+// Both compilations of the kernels, nvcc's and a test's, may meet in one program: each has a namespace of its own.
+#if defined(__CUDACC__)
+#define ERG_KERNEL_SPACE on_device
+#else
 #include "cuda/emulation.h"
+#define ERG_KERNEL_SPACE emulated
 #endif
 
-namespace erg {
+namespace erg::ERG_KERNEL_SPACE {
 
 /// A thread's items are first_item(), and every item_stride() from there on.
 __device__ inline std::int64_t first_item() { return static_cast<std::int64_t>(blockIdx.x) * blockDim.x + threadIdx.x; }
@@ -108,4 +112,4 @@ struct ThreadTally {
   }
 };
 
-}  // namespace erg
+}  // namespace erg::ERG_KERNEL_SPACE

@@ -4,7 +4,7 @@
 
 #include "cuda/device_cells.h"
 
-namespace erg {
+namespace erg::ERG_KERNEL_SPACE {
 
 /// A cell as a slab meets it: chances, random words. `row` may lie beyond the grid; it keys the random numbers.
 struct Ground {
@@ -230,4 +230,4 @@ __global__ void carry(DevicePlan plan) {
   tally.book(plan);
 }
 
-}  // namespace erg
+}  // namespace erg::ERG_KERNEL_SPACE

@@ -7,7 +7,7 @@
 #include "cuda/shadow_kernel.h"
 #include "cuda/slide_kernels.h"
 
-namespace erg {
+namespace erg::ERG_KERNEL_SPACE {
 
 using KernelFunction = void (*)(DevicePlan);
 
@@ -45,4 +45,4 @@ inline KernelFunction kernel_of(DeviceKernel kernel) {
   return nullptr;
 }
 
-}  // namespace erg
+}  // namespace erg::ERG_KERNEL_SPACE

@@ -3,7 +3,7 @@
 
 #include "cuda/device_cells.h"
 
-namespace erg {
+namespace erg::ERG_KERNEL_SPACE {
 
 /// Where a cell of the frame stands in the terrain.
 __device__ inline std::ptrdiff_t staged_place(const DevicePlan& plan, std::int64_t cell) {
@@ -58,4 +58,4 @@ __global__ void fill_hop_table(DevicePlan plan) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::ERG_KERNEL_SPACE

@@ -3,7 +3,7 @@
 
 #include "cuda/device_cells.h"
 
-namespace erg {
+namespace erg::ERG_KERNEL_SPACE {
 
 /// Height of the shadow line (1/256 slabs) that falls on a row of a line, from all that stands upwind: what a scan from
 /// there would bring along. Looks back only as far as the highest cell could still reach.
@@ -56,4 +56,4 @@ __global__ void cast_shadow(DevicePlan plan) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::ERG_KERNEL_SPACE

@@ -3,7 +3,7 @@
 
 #include "cuda/device_cells.h"
 
-namespace erg {
+namespace erg::ERG_KERNEL_SPACE {
 
 /// The step that stands over an edge, seen from its higher cell.
 __device__ inline std::uint32_t standing_step(const DevicePlan& plan, std::int64_t cell) {
@@ -110,4 +110,4 @@ __global__ void slide_column_seams(DevicePlan plan) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::ERG_KERNEL_SPACE

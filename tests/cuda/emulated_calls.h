@@ -109,7 +109,7 @@ class EmulatedCalls : public DeviceCalls {
   }
   Status launch(DeviceKernel kernel, int blocks, const DevicePlan& plan, void*) override {
     if (const Status status = take("launch"); status != 0) return status;
-    run(kernel_of(kernel), std::min(blocks * device_block / card_->block + 1, card_->most_blocks), plan);
+    run(emulated::kernel_of(kernel), std::min(blocks * device_block / card_->block + 1, card_->most_blocks), plan);
     return 0;
   }
 
@@ -153,7 +153,7 @@ class EmulatedCalls : public DeviceCalls {
   }
 
   /// Every thread of the launch once: blocks in shuffled order, shared out over real threads; within a block shuffled.
-  void run(KernelFunction kernel, int blocks, const DevicePlan& plan) {
+  void run(emulated::KernelFunction kernel, int blocks, const DevicePlan& plan) {
     const std::uint64_t word = mix64(card_->shuffle + static_cast<std::uint64_t>(card_->calls));
     const std::vector<int> block_order = shuffled(blocks, word);
     const auto serve = [&](int member) {
