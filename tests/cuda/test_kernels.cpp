@@ -1,99 +1,21 @@
 // The CUDA executor's kernels, run on the processor, give the same bits as the executor `cpu`: terrain, counts, ledger.
 #include <gtest/gtest.h>
 
-#include "../laws/world.h"
-#include "cuda/cuda_executor.h"
+#include "cases.h"
 #include "emulated_calls.h"
 
 namespace erg::test {
 namespace {
 
-struct Case {
-  std::string name;
-  World world;
-  bool rocks = false;
-  int steps = 4;
-  int sweeps = 16;
-};
-
-std::vector<Case> cases() {
-  std::vector<Case> all;
-  const std::string nonrepeated = "nonrepeated";
-  const std::string eight = "8";
-  for (const ModelType& model : catalogue()) {
-    const std::string key = model.info.key;
-    all.push_back({key, {.model = key, .extent = {70, 45}}});
-    all.push_back({key + ", 8 neighbours",
-                   {.model = key, .extent = {45, 70}, .wind = {180, 3}, .settings = {{"neighbours", eight}}}});
-    all.push_back({key + ", oblique",
-                   {.model = key, .extent = {70, 101}, .wind = {237, 4.5}, .settings = {{"neighbours", eight}}}});
-    all.push_back({key + ", rocks", {.model = key, .extent = {67, 41}, .wind = {250, 6}}, true});
-    all.push_back({key + ", rocks, open",
-                   {.model = key, .extent = {40, 67}, .boundary = Boundary::open, .inflow = 3, .wind = {20, 9}},
-                   true});
-    all.push_back({key + ", nonrepeated",
-                   {.model = key, .extent = {37, 66}, .wind = {20, 5}, .settings = {{"polling", nonrepeated}}},
-                   false,
-                   4,
-                   4});
-    all.push_back({key + ", open",
-                   {.model = key,
-                    .extent = {70, 40},
-                    .boundary = Boundary::open,
-                    .inflow = 3,
-                    .wind = {310, 5},
-                    .settings = {{"neighbours", eight}}}});
-    all.push_back({key + ", forced",
-                   {.model = key, .extent = {32, 32}, .settings = {{"forced_erosion", true}}, .sand = 1},
-                   false,
-                   2});
-    all.push_back(
-        {key + ", hardly stays",
-         {.model = key, .extent = {33, 20}, .wind = {240, 1}, .settings = {{"p_sand", 0.01}, {"p_bare", 0.01}}},
-         true,
-         2});
-  }
-  all.push_back({"one row", {.extent = {40, 1}, .wind = {230, 3}}});
-  all.push_back({"one column", {.extent = {1, 40}, .wind = {270, 3}, .settings = {{"neighbours", eight}}}});
-  all.push_back({"two by two", {.extent = {2, 2}, .wind = {200, 3}, .settings = {{"neighbours", eight}}, .sand = 9}});
-  all.push_back({"two tiles a side",
-                 {.model = "momiji", .extent = {290, 70}, .wind = {10, 5}, .settings = {{"neighbours", eight}}},
-                 false,
-                 1,
-                 8});
-  return all;
-}
-
-Terrain ground(const Case& scene) {
-  Terrain terrain = scene.world.strewn();
-  if (scene.rocks) raise_rocks(terrain, 15);
-  return terrain;
-}
-
-void expect_same(const StepReport& ours, const StepReport& theirs, const std::string& what) {
-  EXPECT_EQ(ours.polls, theirs.polls) << what;
-  EXPECT_EQ(ours.lifts, theirs.lifts) << what;
-  EXPECT_EQ(ours.travel, theirs.travel) << what;
-  EXPECT_EQ(ours.slabs_in, theirs.slabs_in) << what;
-  EXPECT_EQ(ours.slabs_out, theirs.slabs_out) << what;
-}
-
 TEST(CudaKernels, GiveTheSameBitsAsThreads) {
   for (const Case& scene : cases()) {
-    Terrain terrain = ground(scene);
-    const ExecutorOptions options{.name = "cpu", .threads = 1, .sweeps = scene.sweeps};
-    const StepReport report = scene.world.run(terrain, options, scene.steps);
     for (const std::uint64_t shuffle : {1u, 2u}) {
       const auto card = std::make_shared<Card>();
       card->shuffle = shuffle;
       card->threads = static_cast<int>(shuffle);
-      CudaExecutor executor(options, std::make_unique<EmulatedCalls>(card));
-      Terrain emulated = ground(scene);
-      const StepReport emulated_report = scene.world.run(emulated, executor, scene.steps);
-      EXPECT_EQ(executor.take_notice(), "");
-      EXPECT_EQ(state_hash(emulated), state_hash(terrain)) << scene.name;
-      EXPECT_EQ(emulated.ledger(), terrain.ledger()) << scene.name;
-      expect_same(emulated_report, report, scene.name);
+      card->block = shuffle == 1 ? 64 : 33;
+      CudaExecutor executor(scene.options(), std::make_unique<EmulatedCalls>(card));
+      expect_same_as_threads(scene, executor);
     }
   }
 }
