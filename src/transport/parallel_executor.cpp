@@ -36,7 +36,7 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
   largest_step_ = std::max({law.bare.straight, law.covered.straight, law.bare.diagonal, law.covered.diagonal});
   if (loaded_ != &terrain || revision_ != terrain.revision()) {
     load(terrain, frame);
-  } else if (!frame_.same_axes(frame)) {
+  } else if (!lies_ready_for(frame)) {
     settle(terrain);
     load(terrain, frame);
   }
@@ -171,8 +171,9 @@ void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<
   const int blocks = plan.layout.blocks;
   const auto [first, end] = share(blocks * tile_rows_of(length), member);
   for (int k = first; k < end; ++k) kernels.slide_tile(plan, tile_number(k, length));
-  // Where members hold whole blocks, the seams inside them wait for nobody.
-  if (blocks % team_.size() != 0) team_.meet();
+  // Where members hold whole blocks, the seams inside them wait for nobody; over the edge of a skewed torus they meet
+  // other blocks.
+  if (blocks % team_.size() != 0 || plan.layout.lean != 0) team_.meet();
   for (int k = first; k < end; ++k) {
     const SlideTile tile = tile_number(k, length);
     if (tile.end_row < length || (!plan.open && length > 2)) kernels.slide_row_seam(plan, tile);

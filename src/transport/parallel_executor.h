@@ -70,6 +70,7 @@ class ParallelExecutor : public Executor {
 
   std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
   void load(const Terrain& terrain, const WindFrame& frame);
+  bool lies_ready_for(const WindFrame& frame) const;
   template <typename Visit>
   void visit_cells(const Visit& visit);
   template <typename Lane>

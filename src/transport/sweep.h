@@ -23,6 +23,9 @@ inline constexpr int narrow_arrivals = 100;
 
 /// How a plane of the grid lies in memory: cut into blocks of columns, each whole and one after another, so that
 /// threads which work on different columns touch different memory (and what their prefetchers read ahead is their own).
+///
+/// The planes of an oblique wind are *skewed*: column u of row v stands in *place* u - skew(v), round the torus, so that
+/// lines, which drift sideways with the wind, stay in a block from the first row to the last (but for two columns).
 struct PlaneLayout {
   int width = 0;
   int length = 0;
@@ -30,6 +33,7 @@ struct PlaneLayout {
   int blocks = 0;
   int pitch = 0;  ///< lanes from one row of a block to the next
   std::size_t block_size = 0;
+  std::int64_t lean = 0;  ///< columns of skew for one row, times 2^24; 0: place and column are the same
 
   ERG_CELL_RULE std::size_t at(int block, int column_in_block, int row) const {
     return static_cast<std::size_t>(block) * block_size +
@@ -37,6 +41,18 @@ struct PlaneLayout {
   }
   ERG_CELL_RULE int columns_of(int block) const {
     return block + 1 < blocks ? block_columns : width - block * block_columns;
+  }
+  /// The block of a place.
+  ERG_CELL_RULE int block_of(int place) const {
+    const int block = place / block_columns;
+    return block < blocks ? block : blocks - 1;
+  }
+  /// Columns by which a row is shifted against row 0.
+  ERG_CELL_RULE int skew(int row) const { return static_cast<int>((row * lean) >> 24); }
+  /// A number of columns or places, round the torus.
+  ERG_CELL_RULE int wrapped(int column) const {
+    const int rest = column % width;
+    return rest < 0 ? rest + width : rest;
   }
 };
 
@@ -114,7 +130,7 @@ struct SweepKernels {
   void (*convey)(const SweepPlan<Lane>&, Strip<Lane>&);          ///< rows 0 ... length - 1 of a strip's lines
   void (*carry)(const SweepPlan<Lane>&, Strip<Lane>&);           ///< slabs still in the air go on over the torus edge
   void (*slide_tile)(const SlidePlan<Lane>&, const SlideTile&);  ///< all edges inside a tile
-  void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to the tile above it
+  void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to what lies above a tile
   void (*slide_column_seam)(const SlidePlan<Lane>&, int left, int right);  ///< edges between two blocks
 };
 

@@ -55,12 +55,12 @@ class Conveyor {
     int row_in_block = 0;
     for (int y = 0; y < plan_.layout.length; ++y) {
       if (row_in_block == 0) draw_polls(y, block);
-      read_row(y, y);
+      read_row(y);
       if (plan_.open) cross_open_edges(y);
       find_shadow();
       decide(y, static_cast<Lane>(row_in_block));
       if (strip_.counts.crowded) return;
-      write_row(y);
+      write_row();
       walk_.go_on();
       if (++row_in_block == block) row_in_block = 0;
     }
@@ -73,16 +73,14 @@ class Conveyor {
     walk_.start(plan_.layout.length);
     const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan_.layout.length;
     std::memset(strip_.target, 0xff, sizeof strip_.target);
-    int y = 0;
     for (std::int64_t flown = plan_.layout.length; flown <= strip_.last_arrival; ++flown) {
-      read_row(y, flown);
+      read_row(flown);
       find_shadow();
       if (flown > last_free_row) std::memset(row_.dark, 0xff, sizeof row_.dark);
       decide(flown, 0);
       if (strip_.counts.crowded) return;
-      add_row(y);
+      add_row();
       walk_.go_on();
-      if (++y == plan_.layout.length) y = 0;
     }
     flush_sums();
   }
@@ -96,21 +94,20 @@ class Conveyor {
   // --- lines and rows ---
 
   /// Reads the frozen surface. `flown` is the row counted on over the torus edge: it keys the random numbers.
-  void read_row(int y, std::int64_t flown) {
-    walk_.copy_in(row_.height, plan_.before, y);
+  void read_row(std::int64_t flown) {
+    walk_.copy_in(row_.height, plan_.before);
     // Rows of a column lie too far apart for the processor to foresee them.
-    const std::size_t ahead = walk_.first_cell(y + prefetch_rows < plan_.layout.length ? y + prefetch_rows : y);
+    const std::size_t ahead = walk_.cell_ahead(prefetch_rows);
     for (int lane = 0; lane < strip_.lines; lane += 64 / static_cast<int>(sizeof(Lane))) {
       __builtin_prefetch(plan_.before + ahead + lane);
       __builtin_prefetch(plan_.after + ahead + lane, 1);
     }
-    if (plan_.bedrock) walk_.copy_in(row_.bedrock, plan_.bedrock, y);
-    if (plan_.cover) walk_.copy_in(row_.cover, plan_.cover, y);
+    if (plan_.bedrock) walk_.copy_in(row_.bedrock, plan_.bedrock);
+    if (plan_.cover) walk_.copy_in(row_.cover, plan_.cover);
     row_word_ = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
-    y_ = y;
   }
 
-  void write_row(int y) {
+  void write_row() {
     const Lane* __restrict landed = row_.landed;
     const Lane* __restrict lifted = row_.lifted;
     Lane* __restrict height = row_.height;
@@ -121,15 +118,15 @@ class Conveyor {
       highest = now > highest ? now : highest;
     }
     if (highest > strip_.counts.highest) strip_.counts.highest = highest;
-    walk_.for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs([&](int lane, std::size_t cell, std::size_t count) {
       std::memcpy(plan_.after + cell, height + lane, count * sizeof(Lane));
     });
     if (most_landed_ > strip_.counts.most_landed) strip_.counts.most_landed = most_landed_;
   }
 
-  void add_row(int y) {
+  void add_row() {
     if (most_landed_ == 0) return;
-    walk_.for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs([&](int lane, std::size_t cell, std::size_t count) {
       Lane* __restrict out = plan_.after + cell;
       const Lane* __restrict landed = row_.landed + lane;
       ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<Lane>(out[i] + landed[i]);
@@ -141,13 +138,10 @@ class Conveyor {
 
   void warm_up() {
     walk_.start(-static_cast<std::int64_t>(plan_.warm_up));
-    int y = plan_.layout.length - plan_.warm_up % plan_.layout.length;
-    if (y == plan_.layout.length) y = 0;
     for (int left = plan_.warm_up; left > 0; --left) {
-      walk_.copy_in(row_.height, plan_.before, y);
+      walk_.copy_in(row_.height, plan_.before);
       find_shadow();
       walk_.go_on();
-      if (++y == plan_.layout.length) y = 0;
     }
   }
 
@@ -461,12 +455,10 @@ class Conveyor {
   /// Algorithm 7 of Cimbura 2022: where bedrock stands too steeply in the next row, all that flies over here drops
   /// here.
   void meet_walls(std::int64_t flown) {
-    if (plan_.open && y_ == plan_.layout.length - 1) return;
-    const int next = y_ + 1 == plan_.layout.length ? 0 : y_ + 1;
-    if (!plan_.wall_rows[next]) return;
     LineWalk next_row = walk_;
     next_row.go_on();
-    next_row.copy_in(row_.next_bedrock, plan_.bedrock, next);
+    if (!plan_.wall_rows[next_row.y()] || (plan_.open && next_row.y() == 0)) return;
+    next_row.copy_in(row_.next_bedrock, plan_.bedrock);
     const bool leaves_sideways = plan_.open && next_row.stepped();
     for (int i = 0; i < strip_.lines; ++i) {
       if (row_.next_bedrock[i] <= row_.height[i] + plan_.wall_step) continue;
@@ -571,7 +563,6 @@ class Conveyor {
   const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
   LineWalk walk_;
   std::uint64_t row_word_ = 0;
-  int y_ = 0;
   std::uint32_t most_landed_ = 0;
   bool any_leaving_ = false;
   Row<Lane> row_;
