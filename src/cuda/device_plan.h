@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "core/cell_rule.h"
+#include "transport/plane_layout.h"
 #include "transport/slab_cell.h"
 #include "transport/sub_sweep.h"
 
@@ -60,7 +61,7 @@ struct DevicePlan {
   std::int32_t* aloft_count = nullptr;
   TallyWord* tally = nullptr;  ///< tally_slots * tallies
 
-  int block_columns = 0;         ///< columns of a tile; its rows are tile_rows
+  PlaneLayout tiles;             ///< only its blocks and their skew: on the device a plane is not cut
   EdgeClass edges = along_even;  ///< what a launch that slides works on
   int stands = 0;                ///< the largest step over such an edge that stands: of bare sand
   int stands_covered = 0;        ///< the same where the higher cell's cover is covered_from or more

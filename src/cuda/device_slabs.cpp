@@ -7,13 +7,6 @@
 namespace erg {
 namespace {
 
-/// As plane_layout of the parallel engine.
-int tile_columns_of(int width) {
-  const auto whole_lines = [](int columns) { return (columns + 63) / 64 * 64; };
-  const int wanted = width < 256 ? 1 : std::max(2, width / 512);
-  return whole_lines((width + wanted - 1) / wanted);
-}
-
 template <typename T>
 std::vector<T> fetch(Device& device, const T* memory, std::size_t count) {
   std::vector<T> values(count);
@@ -187,7 +180,7 @@ DevicePlan DeviceSlabs::step_plan(const SlabLaw& law, double strength) {
   DevicePlan plan = layout();
   plan.walls = law.obstacles && relief_;
   plan.covered_from = law.covered_from;
-  plan.block_columns = tile_columns_of(frame_.width);
+  plan.tiles = plane_layout(frame_, open_);
   prepare_hops(plan, law, strength);
   return plan;
 }
@@ -239,7 +232,7 @@ void DeviceSlabs::sweep(DevicePlan plan) {
 /// Slides inside tiles, class by class, then over the seams between tiles.
 void DeviceSlabs::slide(DevicePlan plan, const SlabLaw& law) {
   const auto choose = [&](EdgeClass edges) {
-    const bool diagonal = edges >= rising_even;
+    const bool diagonal = is_diagonal(edges);
     plan.edges = edges;
     plan.stands = std::min(diagonal ? law.bare.diagonal : law.bare.straight, longest_step);
     plan.stands_covered = std::min(diagonal ? law.covered.diagonal : law.covered.straight, longest_step);
@@ -248,16 +241,16 @@ void DeviceSlabs::slide(DevicePlan plan, const SlabLaw& law) {
     choose(static_cast<EdgeClass>(plan.sweep.order[k]));
     device_.launch(DeviceKernel::slide_tiles, (cells() + plan.width + plan.length) / 2, plan);
   }
-  const EdgeClass seams[] = {along_even, rising_even, falling_even};
-  const int seam_classes = plan.sweep.edge_classes == 8 ? 3 : 1;
-  for (int k = 0; k < seam_classes; ++k) {
-    choose(seams[k]);
+  const bool diagonals = plan.sweep.edge_classes == 8;
+  for (const EdgeClass edges : {along_even, rising_even, falling_even}) {
+    if (is_diagonal(edges) && !diagonals) continue;
+    choose(edges);
     device_.launch(DeviceKernel::slide_row_seams, std::int64_t{plan.width} * (plan.length / tile_rows + 1), plan);
   }
-  for (int k = 0; k < seam_classes; ++k) {
-    choose(seams[k]);
-    device_.launch(DeviceKernel::slide_column_seams, std::int64_t{plan.length} * (plan.width / plan.block_columns + 1),
-                   plan);
+  for (const EdgeClass edges : {across_even, along_even, rising_even, falling_even}) {
+    if (is_diagonal(edges) ? !diagonals : edges == along_even && plan.tiles.lean == 0) continue;
+    choose(edges);
+    device_.launch(DeviceKernel::slide_column_seams, std::int64_t{plan.length} * plan.tiles.blocks, plan);
   }
 }
 

@@ -11,9 +11,6 @@ namespace erg {
 struct SlabLaw;
 struct WindFrame;
 
-/// Rows of a tile: slides inside tiles come first, then the seams between them.
-inline constexpr int tile_rows = 32;
-
 /// Edge classes: edges of one class share no cell.
 enum EdgeClass : std::uint8_t {
   along_even,
@@ -25,6 +22,7 @@ enum EdgeClass : std::uint8_t {
   falling_even,  ///< diagonal (u, v) - (u - 1, v + 1), v even
   falling_odd
 };
+ERG_CELL_RULE bool is_diagonal(EdgeClass edges) { return edges >= rising_even; }
 
 struct SubSweep {
   int sweeps = 16;                    ///< K

@@ -117,7 +117,6 @@ class Slider {
     return y + 1 < plan_.layout.length ? plan_.layout.skew(y + 1) - plan_.layout.skew(y) : 0;
   }
 
-  static bool is_diagonal(EdgeClass edges) { return edges >= rising_even; }
   /// Columns from the lower to the upper cell of an edge.
   static int columns_over(EdgeClass edges) {
     if (!is_diagonal(edges)) return 0;

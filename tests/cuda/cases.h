@@ -61,11 +61,14 @@ inline std::vector<Case> cases() {
   all.push_back({"one row", {.extent = {40, 1}, .wind = {230, 3}}});
   all.push_back({"one column", {.extent = {1, 40}, .wind = {270, 3}, .settings = {{"neighbours", eight}}}});
   all.push_back({"two by two", {.extent = {2, 2}, .wind = {200, 3}, .settings = {{"neighbours", eight}}, .sand = 9}});
-  all.push_back({"two tiles a side",
-                 {.model = "momiji", .extent = {290, 70}, .wind = {10, 5}, .settings = {{"neighbours", eight}}},
-                 false,
-                 1,
-                 8});
+  const World wide{.model = "momiji", .extent = {290, 70}, .settings = {{"neighbours", eight}}};
+  for (const double bearing : {10.0, 35.0, 140.0, 225.0}) {  // blocks side by side, skewed where the wind is oblique
+    Case scene{"two blocks, bearing " + std::to_string(bearing), wide, bearing == 35, 1, 8};
+    scene.world.wind = {bearing, 5};
+    if (bearing != 10) std::swap(scene.world.extent.nx, scene.world.extent.ny);
+    if (bearing == 140) scene.world.extent = {290, 291};
+    all.push_back(scene);
+  }
   return all;
 }
 
