@@ -9,10 +9,11 @@
 namespace erg {
 namespace {
 
+/// Without a device it is `cpu`, which needs no notice where nobody asked for a device.
 std::unique_ptr<Executor> make_fastest(const ExecutorOptions& options) {
-  auto cuda = std::make_unique<CudaExecutor>(options, cuda_calls());
-  if (cuda->name() == "cuda") return cuda;
-  return std::make_unique<ParallelExecutor>(options);
+  auto executor = std::make_unique<CudaExecutor>(options, cuda_calls());
+  executor->take_notice();
+  return executor;
 }
 
 }  // namespace
