@@ -23,6 +23,7 @@ class CudaExecutor : public Executor {
 
   std::string name() const override { return device_ ? "cuda" : "cpu"; }
   int threads() const override { return cpu_.threads(); }
+  int sub_sweeps() const override { return cpu_.sub_sweeps(); }
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   void settle(Terrain& terrain) override;
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override {

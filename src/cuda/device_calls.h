@@ -16,6 +16,7 @@ enum class DeviceKernel {
   lay_surface,
   lay_bedrock,
   lay_cover,
+  show_surface,
   stage_surface,
   stage_bedrock,
   count_heights,
@@ -26,7 +27,8 @@ enum class DeviceKernel {
   carry,
   slide_tiles,
   slide_row_seams,
-  slide_column_seams
+  slide_column_seams,
+  slide_corners
 };
 
 /// Threads in a block of every launch.

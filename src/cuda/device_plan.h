@@ -21,6 +21,8 @@ inline constexpr std::uint32_t height_mask = 0xffff;
 inline constexpr std::uint32_t one_arrival = 0x10000;
 /// Rows that one thread scans for shadow.
 inline constexpr int shadow_rows = 32;
+/// Cells that come back together: what has changed is told by bands of the terrain.
+inline constexpr std::int32_t band_cells = 4096;
 /// Heights that hop tables and counts of heights hold.
 inline constexpr int device_heights = 0x10000;
 
@@ -70,9 +72,11 @@ struct DevicePlan {
   std::ptrdiff_t origin = 0;  ///< terrain cell of column 0, row 0; the others follow by these steps
   std::ptrdiff_t step_u = 0;
   std::ptrdiff_t step_v = 0;
-  std::int32_t* staged = nullptr;  ///< a layer in the terrain's order, on its way in or out
+  std::int32_t* staged = nullptr;          ///< a layer in the terrain's order, on its way in or from frame to frame
+  std::int32_t* shown = nullptr;           ///< the surface in the terrain's order as the processor last saw it
+  std::uint32_t* bands_changed = nullptr;  ///< 1 for bands of band_cells cells of `shown` that have changed since
 
-  ERG_CELL_RULE std::int64_t cells() const { return static_cast<std::int64_t>(width) * length; }
+  ERG_CELL_RULE std::int32_t cells() const { return width * length; }
 };
 
 }  // namespace erg

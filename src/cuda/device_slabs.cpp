@@ -35,6 +35,8 @@ void DeviceSlabs::allocate(const Terrain& terrain) {
   fit(bedrock_, relief_ ? count : 0);
   fit(dark_, count);
   fit(staged_, count);
+  fit(shown_, count);
+  fit(bands_changed_, (count + band_cells - 1) / band_cells);
   fit(aloft_, open_ ? 0 : most_aloft);
   fit(first_aloft_, longest_side);
   fit(aloft_count_, 1);
@@ -45,10 +47,10 @@ void DeviceSlabs::allocate(const Terrain& terrain) {
   device_.fill(first_aloft_.data(), 0xff, first_aloft_.bytes());
 }
 
-/// Sends value(cell) of each of the terrain's cells to the staging layer.
+/// Sends value(cell) of each of the terrain's cells to a layer.
 template <typename Value>
-void DeviceSlabs::stage(const Value& value) {
-  device_.copy_in(staged_.data(), staged_.bytes(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
+void DeviceSlabs::copy_layer(const DeviceArray<std::int32_t>& layer, const Value& value) {
+  device_.copy_in(layer.data(), layer.bytes(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
     auto* values = reinterpret_cast<std::int32_t*>(target);
     const std::size_t first_cell = first / sizeof(std::int32_t);
     for (std::size_t k = 0; k < bytes / sizeof(std::int32_t); ++k) values[k] = value(first_cell + k);
@@ -72,11 +74,13 @@ void DeviceSlabs::load(const Terrain& terrain, const WindFrame& frame) {
     mobile_total_ += mobile[cell];
   }
   allocate(terrain);
-  const DevicePlan plan = layout();
-  stage([&](std::size_t cell) { return bedrock[cell] + mobile[cell] - base_; });
+  DevicePlan plan = layout();
+  copy_layer(shown_, [&](std::size_t cell) { return bedrock[cell] + mobile[cell] - base_; });
+  plan.staged = shown_.data();
   device_.launch(DeviceKernel::lay_surface, cells(), plan);
   if (relief_) {
-    stage([&](std::size_t cell) { return bedrock[cell] - base_; });
+    plan.staged = staged_.data();
+    copy_layer(staged_, [&](std::size_t cell) { return bedrock[cell] - base_; });
     device_.launch(DeviceKernel::lay_bedrock, cells(), plan);
   }
   const std::uint32_t bounds[2] = {static_cast<std::uint32_t>(highest), 0};
@@ -101,11 +105,29 @@ void DeviceSlabs::turn(const WindFrame& frame) {
 }
 
 void DeviceSlabs::settle(Terrain& terrain) {
-  device_.launch(DeviceKernel::stage_surface, cells(), layout());
-  const std::vector<std::int32_t> surface = fetch(device_, staged_.data(), staged_.size());
+  device_.fill(bands_changed_.data(), 0, bands_changed_.bytes());
+  device_.launch(DeviceKernel::show_surface, cells(), layout());
+  const std::vector<std::uint32_t> changed = fetch(device_, bands_changed_.data(), bands_changed_.size());
+  struct Run {
+    std::size_t first_cell;
+    std::vector<std::int32_t> surface;
+  };
+  std::vector<Run> runs;
+  for (std::size_t band = 0; band < changed.size(); ++band) {
+    if (changed[band] == 0) continue;
+    const std::size_t first = band * band_cells;
+    while (band + 1 < changed.size() && changed[band + 1] != 0) ++band;
+    const std::size_t end = std::min(shown_.size(), (band + 1) * band_cells);
+    runs.push_back({first, fetch(device_, shown_.data() + first, end - first)});
+  }
+  // Only now that nothing can fail any more: the layers must not be half new.
   const auto bedrock = terrain.bedrock().cells();
   Grid<std::int32_t>& mobile = terrain.edit_mobile();
-  for (std::size_t cell = 0; cell < surface.size(); ++cell) mobile[cell] = surface[cell] + base_ - bedrock[cell];
+  for (const Run& run : runs) {
+    for (std::size_t k = 0; k < run.surface.size(); ++k) {
+      mobile[run.first_cell + k] = run.surface[k] + base_ - bedrock[run.first_cell + k];
+    }
+  }
 }
 
 // --- what the law means on this grid ---
@@ -130,6 +152,8 @@ DevicePlan DeviceSlabs::layout() const {
   plan.step_u = frame_.step_u;
   plan.step_v = frame_.step_v;
   plan.staged = staged_.data();
+  plan.shown = shown_.data();
+  plan.bands_changed = bands_changed_.data();
   return plan;
 }
 
@@ -251,6 +275,11 @@ void DeviceSlabs::slide(DevicePlan plan, const SlabLaw& law) {
     if (is_diagonal(edges) ? !diagonals : edges == along_even && plan.tiles.lean == 0) continue;
     choose(edges);
     device_.launch(DeviceKernel::slide_column_seams, std::int64_t{plan.length} * plan.tiles.blocks, plan);
+  }
+  for (const EdgeClass edges : {rising_even, falling_even}) {
+    if (!diagonals || plan.tiles.lean == 0 || plan.length < 2) continue;
+    choose(edges);
+    device_.launch(DeviceKernel::slide_corners, plan.tiles.blocks, plan);
   }
 }
 

@@ -22,7 +22,8 @@ class DeviceSlabs {
   void load(const Terrain& terrain, const WindFrame& frame);
   /// One time step of what is loaded.
   StepReport step(const SlabLaw& law, const WindFrame& frame, double strength, StepKey key);
-  /// Brings the mobile layer back; the terrain's bedrock must be the one that was loaded.
+  /// Brings back what has changed of the mobile layer since it was last brought back, or loaded. The terrain must be
+  /// the one that was loaded.
   void settle(Terrain& terrain);
 
  private:
@@ -36,7 +37,7 @@ class DeviceSlabs {
   /// Lays the terrain out for a wind from another side.
   void turn(const WindFrame& frame);
   template <typename Value>
-  void stage(const Value& value);
+  void copy_layer(const DeviceArray<std::int32_t>& layer, const Value& value);
   DevicePlan layout() const;
   DevicePlan step_plan(const SlabLaw& law, double strength);
   void load_cover(const SlabLaw& law);
@@ -64,6 +65,8 @@ class DeviceSlabs {
   DeviceArray<std::uint8_t> cover_;
   DeviceArray<std::uint8_t> dark_;
   DeviceArray<std::int32_t> staged_;
+  DeviceArray<std::int32_t> shown_;
+  DeviceArray<std::uint32_t> bands_changed_;
   DeviceArray<std::int32_t> first_aloft_;
   DeviceArray<SlabAloft> aloft_;
   DeviceArray<std::int32_t> aloft_count_;

@@ -8,7 +8,7 @@ namespace erg::ERG_KERNEL_SPACE {
 
 /// A cell as a slab meets it: chances, random words. `row` may lie beyond the grid; it keys the random numbers.
 struct Ground {
-  std::int64_t cell = 0;
+  std::int32_t cell = 0;
   std::uint32_t line = 0;
   std::uint32_t height = 0;
   std::uint64_t word = 0;          // of the row
@@ -59,7 +59,7 @@ __device__ inline std::int32_t hop_from(const DevicePlan& plan, const Ground& gr
   return static_cast<std::int32_t>(hop_rows(rows_256, random));
 }
 
-__device__ inline void set_down(const DevicePlan& plan, std::int64_t cell, std::uint32_t slabs) {
+__device__ inline void set_down(const DevicePlan& plan, std::int32_t cell, std::uint32_t slabs) {
   if (slabs == 0) return;
   raise(plan.next_highest, height_of(atomicAdd(plan.after + cell, slabs)) + slabs);
 }
@@ -128,14 +128,14 @@ __device__ inline void follow(const DevicePlan& plan, std::int32_t line, std::in
 /// Open boundary: slabs come in at row 0 (items up to the width) and where lines enter sideways (one item a row).
 __global__ void let_in(DevicePlan plan) {
   ThreadTally tally;
-  for (std::int64_t item = first_item(); item < plan.width + plan.length - 1; item += item_stride()) {
+  for (std::int32_t item = first_item(); item < plan.width + plan.length - 1; item += item_stride()) {
     std::int32_t row = 0;
-    auto line = static_cast<std::int32_t>(item);
+    std::int32_t line = item;
     if (item >= plan.width) {
-      row = static_cast<std::int32_t>(item - plan.width + 1);
+      row = item - plan.width + 1;
       const std::int32_t offset = offset_of(plan, row);
       if (offset == offset_of(plan, row - 1)) continue;
-      line = wrapped(-static_cast<std::int64_t>(offset), plan.width);
+      line = wrapped(-offset, plan.width);
     }
     const Ground ground = ground_at(plan, line, row);
     const std::uint32_t random = mix32(draw_key(ground.word, Draw::inflow) ^ ground.line * 0x9e3779b9u);
@@ -155,11 +155,11 @@ __global__ void let_in(DevicePlan plan) {
 __global__ void lift(DevicePlan plan) {
   ThreadTally tally;
   const std::int32_t block = poll_rows(plan.sweep);
-  const std::int64_t blocks = (plan.length + block - 1) / block;
+  const std::int32_t blocks = (plan.length + block - 1) / block;
   // Nobody reads this bound any more; it starts anew for the plane after the next.
   if (first_item() == 0) *plan.highest = 0;
-  for (std::int64_t item = first_item(); item < blocks * plan.width; item += item_stride()) {
-    const auto line = static_cast<std::int32_t>(item % plan.width);
+  for (std::int32_t item = first_item(); item < blocks * plan.width; item += item_stride()) {
+    const std::int32_t line = item % plan.width;
     const auto number = static_cast<std::uint32_t>(item / plan.width);
     const std::uint32_t key = draw_key(row_word(plan.sweep.poll_word, number), Draw::poll);
     const std::uint32_t random = line_byte(key, static_cast<std::uint32_t>(line));
@@ -210,8 +210,8 @@ __device__ inline void send_on(const DevicePlan& plan, std::int32_t first, std::
 __global__ void carry(DevicePlan plan) {
   ThreadTally tally;
   const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan.length;
-  for (std::int64_t item = first_item(); item < plan.width; item += item_stride()) {
-    const auto line = static_cast<std::int32_t>(item);
+  for (std::int32_t item = first_item(); item < plan.width; item += item_stride()) {
+    const std::int32_t line = item;
     const std::int32_t first = plan.first_aloft[line];
     plan.first_aloft[line] = -1;
     for (Arrivals now = next_arrivals(plan, first); now.slabs > 0; now = next_arrivals(plan, first)) {

@@ -19,6 +19,8 @@ inline KernelFunction kernel_of(DeviceKernel kernel) {
       return lay_bedrock;
     case DeviceKernel::lay_cover:
       return lay_cover;
+    case DeviceKernel::show_surface:
+      return show_surface;
     case DeviceKernel::stage_surface:
       return stage_surface;
     case DeviceKernel::stage_bedrock:
@@ -41,6 +43,8 @@ inline KernelFunction kernel_of(DeviceKernel kernel) {
       return slide_row_seams;
     case DeviceKernel::slide_column_seams:
       return slide_column_seams;
+    case DeviceKernel::slide_corners:
+      return slide_corners;
   }
   return nullptr;
 }

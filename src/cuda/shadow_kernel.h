@@ -24,25 +24,25 @@ __device__ inline std::int64_t shadow_from_upwind(const DevicePlan& plan, std::i
 /// The same from the next cell upwind, which an oblique wind meets nearer than a row's length.
 __device__ inline std::int64_t shadow_from_next(const DevicePlan& plan, std::int32_t line, std::int32_t row) {
   if (plan.open && entering_row(plan, line, row) == row) return 0;
-  const std::uint32_t height = height_of(plan.before[cell_of(plan, line, static_cast<std::int64_t>(row) - 1)]);
+  const std::uint32_t height = height_of(plan.before[cell_of(plan, line, row - 1)]);
   return (static_cast<std::int64_t>(height) << fixed_point_bits) - plan.sweep.adjacent_fall;
 }
 
 /// Marks the cells in shadow, lays the plane to be written, and finds the highest cell.
 __global__ void cast_shadow(DevicePlan plan) {
-  const std::int64_t pieces = (plan.length + shadow_rows - 1) / shadow_rows;
+  const std::int32_t pieces = (plan.length + shadow_rows - 1) / shadow_rows;
   const std::int64_t fall = plan.sweep.row_fall;
   if (first_item() == 0) *plan.aloft_count = 0;
-  for (std::int64_t item = first_item(); item < pieces * plan.width; item += item_stride()) {
-    const auto line = static_cast<std::int32_t>(item % plan.width);
-    const auto first = static_cast<std::int32_t>(item / plan.width * shadow_rows);
+  for (std::int32_t item = first_item(); item < pieces * plan.width; item += item_stride()) {
+    const std::int32_t line = item % plan.width;
+    const std::int32_t first = item / plan.width * shadow_rows;
     const std::int32_t end = first + shadow_rows < plan.length ? first + shadow_rows : plan.length;
     std::int64_t far = shadow_from_upwind(plan, line, first);
     std::int64_t near = plan.sweep.oblique ? shadow_from_next(plan, line, first) : 0;
     std::uint32_t highest = 0;
     LineWalk walk = LineWalk::at(plan, line, first);
     for (std::int32_t row = first; row < end; ++row) {
-      const std::int64_t cell = walk.cell(plan);
+      const std::int32_t cell = walk.cell(plan);
       const std::uint32_t height = height_of(plan.before[cell]);
       const std::int64_t top = static_cast<std::int64_t>(height) << fixed_point_bits;
       plan.after[cell] = height;

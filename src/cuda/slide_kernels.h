@@ -6,13 +6,13 @@
 namespace erg::ERG_KERNEL_SPACE {
 
 /// The step that stands over an edge, seen from its higher cell.
-__device__ inline std::uint32_t standing_step(const DevicePlan& plan, std::int64_t cell) {
+__device__ inline std::uint32_t standing_step(const DevicePlan& plan, std::int32_t cell) {
   const bool covered = plan.cover != nullptr && plan.cover[cell] >= plan.covered_from;
   return static_cast<std::uint32_t>(covered ? plan.stands_covered : plan.stands);
 }
 
 /// One slab from cell to cell, if it lies too steeply there and is none of the bedrock.
-__device__ inline bool slide_down(const DevicePlan& plan, std::int64_t from, std::int64_t to) {
+__device__ inline bool slide_down(const DevicePlan& plan, std::int32_t from, std::int32_t to) {
   const std::uint32_t high = height_of(plan.after[from]);
   if (high <= height_of(plan.after[to]) + standing_step(plan, from)) return false;
   if (plan.bedrock != nullptr && high <= plan.bedrock[from]) return false;
@@ -22,11 +22,11 @@ __device__ inline bool slide_down(const DevicePlan& plan, std::int64_t from, std
 }
 
 /// A cell by its row and its place in the blocks (plane_layout.h).
-__device__ inline std::int64_t cell_in(const DevicePlan& plan, std::int32_t place, std::int32_t row) {
-  return static_cast<std::int64_t>(row) * plan.width + plan.tiles.wrapped(place + plan.tiles.skew(row));
+__device__ inline std::int32_t cell_in(const DevicePlan& plan, std::int32_t place, std::int32_t row) {
+  return row * plan.width + plan.tiles.wrapped(place + plan.tiles.skew(row));
 }
 
-__device__ inline void slide_edge(const DevicePlan& plan, std::int64_t a, std::int64_t b) {
+__device__ inline void slide_edge(const DevicePlan& plan, std::int32_t a, std::int32_t b) {
   if (!slide_down(plan, a, b)) slide_down(plan, b, a);
 }
 
@@ -71,21 +71,21 @@ __device__ inline std::int32_t tiles_along(const DevicePlan& plan) {
 __global__ void slide_tiles(DevicePlan plan) {
   const bool across = is_across(plan.edges);
   const std::int32_t odd = plan.edges & 1;
-  const std::int64_t pairs = ((across ? plan.width : plan.length) + 1) / 2;
-  const std::int64_t others = across ? plan.length : plan.width;
+  const std::int32_t pairs = ((across ? plan.width : plan.length) + 1) / 2;
+  const std::int32_t others = across ? plan.length : plan.width;
   const std::int32_t last_tile = tiles_along(plan) - 1;
-  for (std::int64_t item = first_item(); item < pairs * others; item += item_stride()) {
+  for (std::int32_t item = first_item(); item < pairs * others; item += item_stride()) {
     if (across) {
-      const auto place = static_cast<std::int32_t>(2 * (item % pairs)) + odd;
-      const auto row = static_cast<std::int32_t>(item / pairs);
+      const std::int32_t place = 2 * (item % pairs) + odd;
+      const std::int32_t row = item / pairs;
       if (!in_one_block(plan, place, place + 1)) continue;
       slide_edge(plan, cell_in(plan, place, row), cell_in(plan, place + 1, row));
       continue;
     }
-    const auto row = static_cast<std::int32_t>(2 * (item / plan.width)) + odd;
+    const std::int32_t row = 2 * (item / plan.width) + odd;
     const std::int32_t up = row + 1;
     const bool on_seam = up % tile_rows == 0 && up / tile_rows <= last_tile;
-    if (up < plan.length && !on_seam) slide_up(plan, static_cast<std::int32_t>(item % plan.width), row);
+    if (up < plan.length && !on_seam) slide_up(plan, item % plan.width, row);
   }
 }
 
@@ -94,9 +94,9 @@ __global__ void slide_tiles(DevicePlan plan) {
 __global__ void slide_row_seams(DevicePlan plan) {
   const std::int32_t tiles = tiles_along(plan);
   const std::int32_t seams = plan.open || plan.length <= 2 ? tiles - 1 : tiles;
-  for (std::int64_t item = first_item(); item < static_cast<std::int64_t>(seams) * plan.width; item += item_stride()) {
-    const auto place = static_cast<std::int32_t>(item % plan.width);
-    const auto tile = static_cast<std::int32_t>(item / plan.width);
+  for (std::int32_t item = first_item(); item < seams * plan.width; item += item_stride()) {
+    const std::int32_t place = item % plan.width;
+    const std::int32_t tile = item / plan.width;
     if (tile + 1 == tiles) {
       slide_over_torus_edge(plan, place);
     } else {
@@ -126,10 +126,11 @@ __device__ inline void slide_diagonals_across(const DevicePlan& plan, std::int32
 __global__ void slide_column_seams(DevicePlan plan) {
   const std::int32_t blocks = plan.tiles.blocks;
   const std::int32_t seams = plan.open || plan.width <= 2 ? blocks - 1 : blocks;
-  const std::int32_t rows_below = plan.open ? plan.length - 1 : plan.length;  // that have a row above them
-  for (std::int64_t item = first_item(); item < static_cast<std::int64_t>(seams) * plan.length; item += item_stride()) {
-    const auto row = static_cast<std::int32_t>(item % plan.length);
-    const auto seam = static_cast<std::int32_t>(item / plan.length);
+  // The last row has one above it over the torus edge; on skewed tiles the corners are for slide_corners.
+  const std::int32_t rows_below = plan.open || plan.tiles.lean != 0 ? plan.length - 1 : plan.length;
+  for (std::int32_t item = first_item(); item < seams * plan.length; item += item_stride()) {
+    const std::int32_t row = item % plan.length;
+    const std::int32_t seam = item / plan.length;
     const std::int32_t right = seam + 1 == blocks ? 0 : (seam + 1) * plan.tiles.block_columns;
     const std::int32_t left = right == 0 ? plan.width - 1 : right - 1;
     if (is_across(plan.edges)) {
@@ -141,6 +142,15 @@ __global__ void slide_column_seams(DevicePlan plan) {
     } else if (skew_step(plan, row) != 0) {
       slide_edge(plan, cell_in(plan, right, row), cell_in(plan, left, row + 1));
     }
+  }
+}
+
+/// Skewed tiles: diagonal edges between blocks over the torus edge, whose upper cells may belong to any other seam. An
+/// item for each seam.
+__global__ void slide_corners(DevicePlan plan) {
+  for (std::int32_t seam = first_item(); seam < plan.tiles.blocks; seam += item_stride()) {
+    const std::int32_t right = seam + 1 == plan.tiles.blocks ? 0 : (seam + 1) * plan.tiles.block_columns;
+    slide_diagonals_across(plan, right == 0 ? plan.width - 1 : right - 1, right, plan.length - 1);
   }
 }
 

@@ -40,6 +40,8 @@ class Executor {
 
   virtual std::string name() const = 0;
   virtual int threads() const = 0;
+  /// Sub-sweeps that a step is cut into; 0: one slab at a time.
+  virtual int sub_sweeps() const { return 0; }
   /// Moves the slabs of one time step and books in- and outflow in the terrain's ledger.
   virtual StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) = 0;
   /// Brings the terrain's layers up to date.

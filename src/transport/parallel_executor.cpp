@@ -185,6 +185,10 @@ void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<
     if (!closes || (!plan.open && plan.layout.width > 2))
       kernels.slide_column_seam(plan, block, closes ? 0 : block + 1);
   }
+  if (plan.diagonals && plan.layout.lean != 0 && length > 1) {
+    team_.meet();
+    if (member == 0) kernels.slide_corners(plan);
+  }
   team_.meet();
 }
 

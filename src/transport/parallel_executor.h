@@ -25,6 +25,7 @@ class ParallelExecutor : public Executor {
 
   std::string name() const override { return "cpu"; }
   int threads() const override { return team_.size(); }
+  int sub_sweeps() const override { return options_.sweeps; }
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   void settle(Terrain& terrain) override;
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override;

@@ -97,6 +97,7 @@ struct SweepKernels {
   void (*slide_tile)(const SlidePlan<Lane>&, const SlideTile&);  ///< all edges inside a tile
   void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to what lies above a tile
   void (*slide_column_seam)(const SlidePlan<Lane>&, int left, int right);  ///< edges between two blocks
+  void (*slide_corners)(const SlidePlan<Lane>&);  ///< skewed planes: edges between blocks over the torus edge
 };
 
 template <typename Lane>

@@ -29,6 +29,7 @@ struct Card {
   std::size_t memory = SIZE_MAX;  ///< bytes of device memory
 
   long long calls = 0;
+  std::size_t bytes_out = 0;  ///< copied back
   std::map<std::string, long long> of_kind;
   std::map<void*, std::size_t> device_blocks;
   std::size_t device_bytes = 0;
@@ -99,6 +100,7 @@ class EmulatedCalls : public DeviceCalls {
     if (!on_device(device, bytes)) return wrong_use;
     if (const Status status = take("copy"); status != 0) return status;
     std::memcpy(pinned, device, bytes);
+    card_->bytes_out += bytes;
     return 0;
   }
   Status fill(void* device, int byte, std::size_t bytes, void*) override {

@@ -152,10 +152,27 @@ TEST(CudaExecutor, KeepsTheTerrainOnTheDeviceBetweenSteps) {
   EXPECT_EQ(card->of_kind["allocate"], allocated);
   EXPECT_EQ(state_hash(terrain), before) << "stale until it is asked for";
   executor.settle(terrain);
-  EXPECT_EQ(card->of_kind["copy"], copies + 6);
+  EXPECT_EQ(card->of_kind["copy"], copies + 7) << "which bands have changed, and the one band that this terrain has";
   executor.settle(terrain);
-  EXPECT_EQ(card->of_kind["copy"], copies + 6) << "nothing changed since";
+  EXPECT_EQ(card->of_kind["copy"], copies + 7) << "nothing was done since";
   EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
+}
+
+TEST(CudaExecutor, BringsBackOnlyBandsThatHaveChanged) {
+  World world{.extent = {256, 64}};  // four bands of 16 rows
+  const auto card = std::make_shared<Card>();
+  CudaExecutor executor(two_sweeps, std::make_unique<EmulatedCalls>(card));
+  Terrain terrain(world.extent, 1, world.quantum());
+  for (int x = 0; x < 20; ++x) terrain.edit_mobile()(100 + x, 40) = 5;  // in the third
+  terrain.open_ledger();
+  Terrain beside = terrain;
+  const auto made = find_model(world.model).make(world.values());
+  made->step(terrain, world.wind, {world.seed, 0}, executor);
+  const std::size_t bytes = card->bytes_out;
+  executor.settle(terrain);
+  EXPECT_EQ(card->bytes_out - bytes, 4u * 4 + 256 * 16 * 4);
+  world.run(beside, two_sweeps, 1);
+  EXPECT_EQ(state_hash(terrain), state_hash(beside));
 }
 
 TEST(CudaExecutor, LoadsAnewWhatWasEdited) {
