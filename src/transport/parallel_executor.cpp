@@ -116,6 +116,14 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     plan.ring_rows = rows;
     for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
     team_.meet();
+    if (layout_.lean != 0) {
+      // What hangs over into a member's strip it takes itself: those places are in its own processor's cache.
+      const auto strips = static_cast<int>(mine.strips.size());
+      for (int k = first_strip; k < end_strip; ++k) {
+        kernels.hand_over(plan, mine.strips[static_cast<std::size_t>((k + strips - 1) % strips)]);
+      }
+      team_.meet();
+    }
     for (int k = first_strip; k < end_strip; ++k) {
       Strip<Lane>& strip = mine.strips[static_cast<std::size_t>(k)];
       if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);

@@ -47,8 +47,7 @@ template <typename Visit>
 void ParallelExecutor::visit_cells(const Visit& visit) {
   std::vector<std::size_t> start(static_cast<std::size_t>(frame_.width));  // of each place in row 0
   for (int place = 0; place < frame_.width; ++place) {
-    const int block = layout_.block_of(place);
-    start[static_cast<std::size_t>(place)] = layout_.at(block, place - block * layout_.block_columns, 0);
+    start[static_cast<std::size_t>(place)] = layout_.at_place(place, 0);
   }
   constexpr int block_rows = 16;
   const int blocks = (frame_.length + block_rows - 1) / block_rows;
@@ -226,11 +225,14 @@ void ParallelExecutor::prepare_strips(int ring_rows) {
   const std::size_t ring = static_cast<std::size_t>(ring_rows) * strip_lines;
   if (mine.strips.size() != count) mine.strips = std::vector<Strip<Lane>>(count);
   if (mine.rings.size() != ring * count) mine.rings.assign(ring * count, 0);
+  const std::size_t rows = layout_.lean != 0 ? static_cast<std::size_t>(layout_.length) : 0;
+  mine.overhangs.resize(rows * count);
   for (std::size_t k = 0; k < count; ++k) {
     Strip<Lane>& strip = mine.strips[k];
     strip.first = static_cast<int>(k) * lines;
     strip.lines = std::min(lines, frame_.width - strip.first);
     strip.ring = mine.rings.data() + ring * k;
+    strip.overhang = layout_.lean != 0 ? mine.overhangs.data() + rows * k : nullptr;
   }
 }
 

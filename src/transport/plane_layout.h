@@ -41,8 +41,12 @@ struct PlaneLayout {
     const int block = place / block_columns;
     return block < blocks ? block : blocks - 1;
   }
-  /// Columns by which a row is shifted against row 0.
-  ERG_CELL_RULE int skew(int row) const { return static_cast<int>((row * lean) >> 24); }
+  /// Columns by which a row is shifted, at most those by which a line has drifted there.
+  ERG_CELL_RULE int skew(int row) const { return static_cast<int>((row * lean) >> 24) - (lean != 0 ? 1 : 0); }
+  ERG_CELL_RULE std::size_t at_place(int place, int row) const {
+    const int block = block_of(place);
+    return at(block, place - block * block_columns, row);
+  }
   /// A number of columns or places, round the torus.
   ERG_CELL_RULE int wrapped(int column) const {
     const int rest = column % width;

@@ -21,6 +21,18 @@ inline constexpr int strip_lines = 512;
 /// Slabs landing at one place that 8-bit lanes can count; more makes the sub-sweep start again with 16-bit lanes.
 inline constexpr int narrow_arrivals = 100;
 
+/// On skewed planes a line stands in its own place or up to so many places beside it: a part for the phase, a part for
+/// the rounded drift, and one that `skew` holds back.
+inline constexpr int most_lead = 3;
+
+/// Cells of one row that stand in the places of the next strip. They are handed over after the conveyor, or two threads
+/// would write to the same piece of memory all the time.
+template <typename Lane>
+struct Overhang {
+  Lane lead = 0;
+  Lane heights[most_lead] = {};
+};
+
 /// Everything that all strips of a sub-sweep share: what was drawn for it, and where it works. `Lane` counts slabs: 8
 /// or 16 bits.
 template <typename Lane>
@@ -62,8 +74,9 @@ struct Strip {
   SweepCounts counts;
   std::int64_t last_arrival = -1;        ///< no slab in the air comes down after this row
   alignas(64) Shadow line[strip_lines];  ///< height of the shadow line, 1/256 slabs
-  alignas(64) Shadow near[strip_lines];  ///< the same for the adjacent cell (oblique winds)
+  alignas(64) Lane upwind[strip_lines];  ///< height of the row before (oblique winds)
   alignas(64) Lane target[strip_lines];  ///< the row of the block in which the line is polled
+  Overhang<Lane>* overhang = nullptr;    ///< of each row; null where planes are not skewed
   Lane* ring = nullptr;                  ///< ring_rows x strip_lines, empty (0) between sub-sweeps
 };
 
@@ -93,6 +106,7 @@ struct SlideTile {
 template <typename Lane>
 struct SweepKernels {
   void (*convey)(const SweepPlan<Lane>&, Strip<Lane>&);          ///< rows 0 ... length - 1 of a strip's lines
+  void (*hand_over)(const SweepPlan<Lane>&, Strip<Lane>&);       ///< writes a strip's overhang
   void (*carry)(const SweepPlan<Lane>&, Strip<Lane>&);           ///< slabs still in the air go on over the torus edge
   void (*slide_tile)(const SlidePlan<Lane>&, const SlideTile&);  ///< all edges inside a tile
   void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to what lies above a tile

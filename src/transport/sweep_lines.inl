@@ -18,6 +18,7 @@ class LineWalk {
     column_ = layout_.wrapped(static_cast<int>((first_line_ + offset) % layout_.width));
     stepped_ = false;
     find_place();
+    lead_ = row == y_ ? offset - skew_ : 0;
   }
 
   /// Goes on to the next row.
@@ -30,13 +31,16 @@ class LineWalk {
     }
     if (++y_ == layout_.length) {
       y_ = 0;
+      lead_ = 0;
       find_place();
       return;
     }
     if (!stepped_ && layout_.lean == 0) return;
     const int skew = layout_.skew(y_);
-    in_block_ += (stepped_ ? 1 : 0) - (skew - skew_);
+    const int moved = (stepped_ ? 1 : 0) - (skew - skew_);
     skew_ = skew;
+    lead_ += moved;
+    in_block_ += moved;
     if (in_block_ < 0 || in_block_ >= layout_.columns_of(block_)) find_place();
   }
 
@@ -45,23 +49,23 @@ class LineWalk {
 
   /// Column of the first line.
   int column() const { return column_; }
+  /// Places from line i's own, i, to the one where it stands: 0 to most_lead on skewed planes, until the lines leave
+  /// the grid.
+  int lead() const { return lead_; }
   /// Whether the lines have moved one column sideways at this row.
   bool stepped() const { return stepped_; }
-  /// About where the first line will meet a plane some rows further on, or where it does now if the grid ends before.
-  std::size_t cell_ahead(int rows) const {
-    return layout_.at(block_, in_block_, y_ + rows < layout_.length ? y_ + rows : y_);
-  }
-
-  /// Calls visit(first lane, cell of a plane, lanes) for each run of lanes that lie side by side in a plane.
+  /// Calls visit(first lane, cell of a plane, lanes) for each run of the first lanes that lie side by side in a plane.
+  /// With `ahead`, about where they will lie so many rows further on, or where they do now if the grid ends before.
   template <typename Visit>
-  void for_runs(const Visit& visit) const {
+  void for_runs(int ahead, int lanes_wanted, const Visit& visit) const {
+    const int y = y_ + ahead < layout_.length ? y_ + ahead : y_;
     int block = block_;
     int column = in_block_;
-    for (int lane = 0; lane < lines_; column = 0) {
+    for (int lane = 0; lane < lanes_wanted; column = 0) {
       const int in_block = layout_.columns_of(block) - column;
-      const int left = lines_ - lane;
+      const int left = lanes_wanted - lane;
       const int lanes = in_block < left ? in_block : left;
-      visit(lane, layout_.at(block, column, y_), static_cast<std::size_t>(lanes));
+      visit(lane, layout_.at(block, column, y), static_cast<std::size_t>(lanes));
       lane += lanes;
       block = block + 1 == layout_.blocks ? 0 : block + 1;
     }
@@ -69,7 +73,7 @@ class LineWalk {
 
   template <typename T>
   void copy_in(T* lanes, const T* plane) const {
-    for_runs([&](int lane, std::size_t cell, std::size_t count) {
+    for_runs(0, lines_, [&](int lane, std::size_t cell, std::size_t count) {
       std::memcpy(lanes + lane, plane + cell, count * sizeof(T));
     });
   }
@@ -90,6 +94,7 @@ class LineWalk {
   std::int64_t rest_ = 0;  // (row * drift + phase) mod length
   int y_ = 0;
   int skew_ = 0;  // of row y
+  int lead_ = 0;
   int column_ = 0;
   int block_ = 0;     // of the column's place
   int in_block_ = 0;  // where in that block

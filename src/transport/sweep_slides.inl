@@ -1,7 +1,6 @@
 // Part of sweep_kernels.inl: slopes that are too steep slide, edge by edge. Edges of one class share no cell, so their
 // order does not matter; the classes come in an order drawn anew each sub-sweep, which removes any bias in direction.
 
-
 /// One slab down each edge between lanes of two rows that is steeper than what stands.
 template <typename Lane, bool relief, bool varied>
 void slide_lanes(Lane* __restrict a, Lane* __restrict b, const Lane* bedrock_a, const Lane* bedrock_b,
@@ -171,7 +170,7 @@ class Slider {
   /// The place in row 0 that lies above a block's column of the last row.
   int place_over_torus_edge(int block, int column) const {
     const PlaneLayout& layout = plan_.layout;
-    return layout.wrapped(block * layout.block_columns + column + layout.skew(layout.length - 1));
+    return layout.wrapped(block * layout.block_columns + column + layout.skew(layout.length - 1) - layout.skew(0));
   }
 
   /// The diagonal edges above row y that cross from one block to the next.
@@ -181,8 +180,7 @@ class Slider {
     const auto edge = [&](std::size_t lower, std::size_t upper) { run(lower, upper, 1, true); };
     if (y + 1 == layout.length) {
       const int place = rising ? place_over_torus_edge(right, 0) : place_over_torus_edge(left, last);
-      const int block = layout.block_of(place);
-      const std::size_t upper = layout.at(block, place - block * layout.block_columns, 0);
+      const std::size_t upper = layout.at_place(place, 0);
       edge(rising ? layout.at(left, last, y) : layout.at(right, 0, y), upper);
     } else if (skew_step(y) == 0) {
       edge(rising ? layout.at(left, last, y) : layout.at(right, 0, y),
