@@ -8,6 +8,7 @@
 #include "transport/parallel_executor.h"
 
 namespace erg {
+
 void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();

@@ -15,8 +15,9 @@ PlaneLayout plane_layout(const WindFrame& frame, bool open) {
   layout.length = length;
   const int wanted = width < 256 ? 1 : std::max(2, width / 512);
   layout.block_columns = whole_lines((width + wanted - 1) / wanted);
-  // What is left over goes to the last block unless it fills half a one: seams must not meet in narrow blocks.
-  layout.blocks = std::max(1, (width + layout.block_columns / 2) / layout.block_columns);
+  // A few columns left over go to the last block: the seams on both sides of a block must not meet in it.
+  constexpr int narrowest = 64;
+  layout.blocks = std::max(1, (width + layout.block_columns - narrowest) / layout.block_columns);
   const int widest = std::max(layout.block_columns, whole_lines(layout.columns_of(layout.blocks - 1)));
   // Never a power of two, or the rows of a block would crowd into a few sets of the processor's caches.
   layout.pitch = widest + 64;
