@@ -178,12 +178,8 @@ std::vector<BenchRow> bench_model(const std::string& model, const BenchOptions& 
 }  // namespace
 
 std::vector<BenchRow> run_bench(const BenchOptions& options) {
-  std::vector<std::string> models = options.models;
-  if (models.empty()) {
-    for (const ModelType& type : catalogue()) models.push_back(type.info.key);
-  }
   std::vector<BenchRow> rows;
-  for (const std::string& model : models) {
+  for (const std::string& model : options.models) {
     for (BenchRow& row : bench_model(find_model(model).info.key, options)) rows.push_back(std::move(row));
   }
   return rows;

@@ -11,6 +11,7 @@
 #include "app/run_setup.h"
 #include "io/config_file.h"
 #include "io/image.h"
+#include "io/start_simulation.h"
 #include "render/gl_context.h"
 
 namespace erg {
@@ -21,6 +22,7 @@ struct RenderRequest {
   std::string out;
   std::int64_t steps = -1;  ///< -1: a config's own number; a checkpoint as it is
   std::vector<std::string> assignments;
+  int paths = 0;  ///< ways of grains to draw
   bool quiet = false;
   PictureRequest picture;
 };
@@ -51,18 +53,9 @@ bool grow(const RenderRequest& request, Simulation& simulation) {
   return true;
 }
 
-MetadataEntries provenance_of(Simulation& simulation) {
-  const Config& config = simulation.config();
-  return metadata({.config = config_text(config),
-                   .seed = static_cast<std::uint64_t>(config.run.integer("seed")),
-                   .step = simulation.step_count(),
-                   .model = config.model,
-                   .version = ERG_VERSION,
-                   .executor = simulation.executor().name()});
-}
-
 ExitCode render(const RenderRequest& request) {
   Simulation simulation = start(request);
+  simulation.keep_paths(request.paths);
   const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);
   Renderer renderer;
   // A wrong option should be known before the run, not after it.
@@ -75,7 +68,7 @@ ExitCode render(const RenderRequest& request) {
   const PicturePlan plan = plan_picture(request.picture, run.view());
   const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
   for (const std::string& note : picture.notes) std::cerr << "note: " << note << "\n";
-  const MetadataEntries entries = provenance_of(simulation);
+  const MetadataEntries entries = metadata(provenance_of(simulation));
   if (plan.look.transparent) {
     write_png(request.out, picture.image, entries);
   } else {
@@ -98,6 +91,8 @@ void add_render_command(CLI::App& program, Action& action) {
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command->add_option("--paths", request->paths, "Draw the ways of so many grains in the last step (model grains)")
+      ->check(CLI::Range(0, 100000));
   command->add_flag("--quiet", request->quiet, "Print nothing but errors and notes");
   add_picture_options(*command, request->picture);
   command->callback([&action, request] { action = [request] { return render(*request); }; });

@@ -92,7 +92,7 @@ ExitCode run(const RunRequest& request, const PictureRequest& picture) {
   Simulation simulation = start_simulation(request);
   std::unique_ptr<RunOutput> output;
   if (writes_files(request)) {
-    const std::vector<std::string>& formats = request.formats.empty() ? output_formats() : request.formats;
+    const std::vector<std::string>& formats = request.formats.empty() ? usual_formats() : request.formats;
     output = std::make_unique<RunOutput>(output_folder(request), run_name(request), formats, simulation);
   }
   std::unique_ptr<Film> film;
@@ -143,7 +143,7 @@ void add_run_command(CLI::App& program, Action& action) {
                       "Folder for the files of the run (default: out, once files are asked for)");
   command->add_option("--every", request->every, "Write the files every so many steps, not only at the end")
       ->check(CLI::PositiveNumber);
-  command->add_option("--format", request->formats, "Files to write, with commas: png,png16,vti,csv,checkpoint")
+  command->add_option("--format", request->formats, "Files to write, with commas: png,png16,vti,csv,checkpoint,obj,ply,stl")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(output_formats()));

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/provenance.h"
+#include "io/run_numbers.h"
 #include "io/table.h"
 #include "sim/simulation.h"
 
@@ -14,6 +14,8 @@ namespace erg {
 
 /// What `--format` accepts.
 const std::vector<std::string>& output_formats();
+/// Those that are written when none is asked for: all but the meshes, which are large.
+const std::vector<std::string>& usual_formats();
 
 class RunOutput {
  public:
@@ -35,7 +37,7 @@ class RunOutput {
 
  private:
   bool wants(const std::string& format) const;
-  Provenance provenance();
+  void write_meshes(const Provenance& source);
   std::filesystem::path numbered(const std::string& ending) const;
 
   std::filesystem::path folder_;
@@ -43,8 +45,7 @@ class RunOutput {
   std::vector<std::string> formats_;
   Simulation& simulation_;
   std::unique_ptr<TableFile> table_;
-  StepReport last_totals_;
-  std::int64_t last_row_step_;
+  RunMeter meter_;
   std::vector<std::filesystem::path> files_;
 };
 

@@ -18,6 +18,12 @@ Parameter only_when(Parameter parameter, std::vector<std::string> condition) {
   return parameter;
 }
 
+/// Marks all of a group as read only when the terrain is made.
+Parameters all_at_start(Parameters parameters) {
+  for (Parameter& parameter : parameters) parameter.at_start = true;
+  return parameters;
+}
+
 /// One `--set`: finds what the key means and sets it.
 class Assignment {
  public:
@@ -34,6 +40,7 @@ class Assignment {
     if (key_ == "model") return set_model();
     if (key_ == "title") return void(config_.title = value_);
     if (key_ == "description") return void(config_.description = value_);
+    if (key_ == "temperature") return void(config_.temperature.first = config_.temperature.last = temperature());
     const std::vector<std::string> matches = full_keys_matching();
     if (matches.empty()) throw InputError(place_, "unknown key " + in_quotes(key_), suggestion(key_, possible_keys()));
     if (matches.size() > 1) {
@@ -51,7 +58,7 @@ class Assignment {
 
   /// "grid.nx" ... of every value that can be set in a group.
   std::vector<std::string> full_keys() const {
-    std::vector<std::string> keys{"wind.bearing", "wind.strength"};
+    std::vector<std::string> keys{"wind.bearing", "wind.strength", "temperature.first", "temperature.last"};
     for (const ConfigGroup& group : config_groups()) {
       for (const Parameter& parameter : (config_.*group.values).declared()) {
         keys.push_back(group.key + "." + parameter.key);
@@ -74,7 +81,7 @@ class Assignment {
     std::vector<std::string> keys = full_keys();
     if (key_.find('.') != std::string::npos) return keys;
     for (std::string& key : keys) key.erase(0, key.find('.') + 1);
-    keys.insert(keys.end(), {"model", "title", "description"});
+    keys.insert(keys.end(), {"model", "title", "description", "temperature"});
     return keys;
   }
 
@@ -89,6 +96,9 @@ class Assignment {
   void set(const std::string& full_key) {
     const std::string key = full_key.substr(full_key.find('.') + 1);
     if (full_key.starts_with("wind.")) return set_wind(key);
+    if (full_key.starts_with("temperature.")) {
+      return void((key == "first" ? config_.temperature.first : config_.temperature.last) = temperature());
+    }
     for (const ConfigGroup& group : config_groups()) {
       ParameterValues& values = config_.*group.values;
       if (full_key == group.key + "." + key) values.set(key, parse_value(*values.find(key), value_, place_));
@@ -108,6 +118,8 @@ class Assignment {
     }
   }
 
+  double temperature() const { return std::get<double>(parse_value(temperature_parameter(), value_, place_)); }
+
   Config& config_;
   std::string place_;
   std::string key_;
@@ -125,8 +137,18 @@ Parameter season_steps_parameter() {
   return integer_parameter("steps", "Steps", "", Season{}.steps, 1, most_steps, "Time steps that the season lasts.");
 }
 
+Parameter season_snowfall_parameter() {
+  return real_parameter("snowfall", "Snowfall", "mm/h", Season{}.snowfall, 0, heaviest_snowfall,
+                        "Snow that falls during the season, as it lies; for snow models that let it fall.");
+}
+
+Parameter temperature_parameter() {
+  return real_parameter("temperature", "Temperature", "deg C", Temperature{}.first, lowest_temperature,
+                        highest_temperature, "Temperature of air and snow; for snow models.");
+}
+
 Parameters grid_parameters() {
-  return {
+  return all_at_start({
       integer_parameter("nx", "Cells east", "cells", 256, smallest_side, largest_side, "Grid width, west to east."),
       integer_parameter("ny", "Cells north", "cells", 256, smallest_side, largest_side, "Grid height, south to north."),
       real_parameter("cell_size", "Cell size", "m", 1.0, 0.001, 1000.0, "Side of a cell."),
@@ -135,11 +157,11 @@ Parameters grid_parameters() {
       only_when(real_parameter("inflow", "Inflow", "slabs", 0.0, 0.0, 100.0,
                                "Slabs that enter per time step and cell of the upwind edge."),
                 {"boundary", "open"}),
-  };
+  });
 }
 
 Parameters scene_parameters() {
-  return {
+  return all_at_start({
       choice_parameter(
           "kind", "Scene", "flat",
           {"flat", "random", "ripples", "transverse", "rocks", "uneven", "hump", "dune", "valley", "cone", "image"},
@@ -168,14 +190,15 @@ Parameters scene_parameters() {
       only_when(real_parameter("image_high", "Height of white", "m", 10.0, -10000.0, 10000.0,
                                "Height of a white point of the picture."),
                 {"kind", "image"}),
-  };
+  });
 }
 
 Parameters run_parameters() {
   constexpr std::int64_t largest_seed = std::int64_t{1} << 53;  // every JSON reader keeps whole numbers up to here
   return {
       integer_parameter("steps", "Steps", "", 1000, 0, most_steps, "Time steps to run."),
-      integer_parameter("seed", "Seed", "", 0, 0, largest_seed, "The same seed gives the same dunes everywhere."),
+      at_start(
+          integer_parameter("seed", "Seed", "", 0, 0, largest_seed, "The same seed gives the same dunes everywhere.")),
       choice_parameter(
           "executor", "Executor", "auto", executor_names(),
           "serial: one slab at a time, the reference; cpu: parallel sub-sweeps; cuda: the same on a graphics "

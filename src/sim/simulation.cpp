@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace erg {
 namespace {
@@ -14,16 +15,38 @@ ExecutorOptions executor_options(const ParameterValues& run) {
   return options;
 }
 
+/// Whether one of the values that are read only at the start differs.
+bool start_differs(const ParameterValues& running, const ParameterValues& wanted) {
+  return std::ranges::any_of(running.declared(), [&](const Parameter& parameter) {
+    return parameter.at_start && running.value(parameter.key) != wanted.value(parameter.key);
+  });
+}
+
 }  // namespace
 
-Simulation::Simulation(Config config, const HeightPicture* picture) : config_(std::move(config)) {
+bool needs_new_terrain(const Config& running, const Config& wanted) {
+  return running.model != wanted.model || std::ranges::any_of(config_groups(), [&](const ConfigGroup& group) {
+           return start_differs(running.*group.values, wanted.*group.values);
+         });
+}
+
+Simulation::Simulation(Config config, const HeightPicture* picture, const HeightPicture* model_picture)
+    : config_(std::move(config)) {
   start();
   state_.terrain = build_scene(config_, model_->quantum(), picture);
-  model_->begin(state_.terrain);
+  begin_model(model_picture);
 }
 
 Simulation::Simulation(Config config, RunState state) : config_(std::move(config)), state_(std::move(state)) {
   start();
+  begin_model(nullptr);
+}
+
+void Simulation::begin_model(const HeightPicture* picture) {
+  Grid<float> on_grid;
+  if (picture != nullptr) on_grid = resample(*picture, state_.terrain.extent());
+  model_->prepare({static_cast<std::uint64_t>(config_.run.integer("seed")), weather(0).temperature,
+                   picture != nullptr ? &on_grid : nullptr});
   model_->begin(state_.terrain);
 }
 
@@ -33,7 +56,14 @@ void Simulation::start() {
   executor_ = make_executor(executor_options(config_.run));
 }
 
-WindNow Simulation::last_wind() const { return config_.wind.at(std::max<std::int64_t>(0, state_.step - 1)); }
+WindNow Simulation::last_wind() const { return weather(std::max<std::int64_t>(0, state_.step - 1)); }
+
+WindNow Simulation::weather(std::int64_t step) const {
+  WindNow now = config_.wind.at(step);
+  const std::int64_t last = config_.run.integer("steps") - 1;
+  now.temperature = config_.temperature.at(last > 0 ? static_cast<double>(step) / static_cast<double>(last) : 0.0);
+  return now;
+}
 
 StepReport Simulation::step() {
   if (finished()) return {};
@@ -58,6 +88,26 @@ void Simulation::book_edit() {
   MassLedger& ledger = state_.terrain.ledger();
   const std::int64_t change = state_.terrain.total_mobile() - ledger.expected();
   (change >= 0 ? ledger.in : ledger.out) += change >= 0 ? change : -change;
+  wake();
+}
+
+void Simulation::change(Config config) {
+  if (needs_new_terrain(config_, config)) {
+    throw InputError("", "this change needs a new terrain", "create the terrain anew");
+  }
+  std::unique_ptr<Model> model = type_->make(config.parameters);
+  std::unique_ptr<Executor> executor = make_executor(executor_options(config.run));
+  executor_->settle(state_.terrain);
+  config_ = std::move(config);
+  model_ = std::move(model);
+  executor_ = std::move(executor);
+  begin_model(nullptr);
+  wake();
+}
+
+void Simulation::wake() {
+  state_.totals.finished = false;
+  state_.totals.why_finished.clear();
 }
 
 const RunState& Simulation::state() {

@@ -19,20 +19,27 @@ struct RunState {
   StepReport totals;
 };
 
+/// Whether a run cannot go on from `running` to `wanted` without a new terrain: another model, or another value of what
+/// is read only at the start (grid, scene, seed, some of a model's parameters).
+bool needs_new_terrain(const Config& running, const Config& wanted);
+
 class Simulation {
  public:
-  /// Builds the scene. `picture` as in build_scene.
-  explicit Simulation(Config config, const HeightPicture* picture = nullptr);
+  /// Builds the scene. `picture` as in build_scene; `model_picture`: that of the model's own path parameter.
+  explicit Simulation(Config config, const HeightPicture* picture = nullptr,
+                      const HeightPicture* model_picture = nullptr);
   /// Goes on from a saved state.
   Simulation(Config config, RunState state);
 
   const Config& config() const { return config_; }
   const ModelType& model_type() const { return *type_; }
   const Model& model() const { return *model_; }
+  /// Keeps the ways of about so many grains of every step to come (Model::keep_paths).
+  void keep_paths(int count) { model_->keep_paths(count); }
   /// Steps done.
   std::int64_t step_count() const { return state_.step; }
   /// The wind of the step to come.
-  WindNow wind() const { return config_.wind.at(state_.step); }
+  WindNow wind() const { return weather(state_.step); }
   /// The wind of the last step done (of the first, before it).
   WindNow last_wind() const;
   Executor& executor() { return *executor_; }
@@ -43,14 +50,21 @@ class Simulation {
   StepReport step();
   /// The terrain, up to date.
   const Terrain& terrain();
-  /// The terrain for editing (painting, events); the ledger books what the edit adds or takes with book_edit.
+  /// The terrain for editing (painting, events); book_edit, afterwards, books in the ledger what the edit added or
+  /// took.
   Terrain& edit_terrain();
   void book_edit();
+  /// Goes on under another config from the next step on, as a run resumed from here would. A run that had come to its
+  /// end may move again. Throws InputError, and leaves all as it was, where needs_new_terrain.
+  void change(Config config);
   /// What a checkpoint needs.
   const RunState& state();
 
  private:
   void start();
+  void wake();
+  WindNow weather(std::int64_t step) const;
+  void begin_model(const HeightPicture* picture);
 
   Config config_;
   const ModelType* type_ = nullptr;

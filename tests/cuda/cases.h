@@ -27,6 +27,7 @@ inline std::vector<Case> cases() {
   const std::string eight = "8";
   for (const ModelType& model : catalogue()) {
     const std::string key = model.info.key;
+    if (!World{.model = key}.moves_slabs()) continue;  // others only use for_pieces
     all.push_back({key, {.model = key, .extent = {70, 45}}});
     all.push_back({key + ", 8 neighbours",
                    {.model = key, .extent = {45, 70}, .wind = {180, 3}, .settings = {{"neighbours", eight}}}});

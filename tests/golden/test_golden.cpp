@@ -16,6 +16,7 @@ struct Golden {
   std::vector<std::string> settings;
   std::string serial;
   std::string cpu;
+  int steps = 40;
 };
 
 std::vector<Golden> golden_runs() {
@@ -32,6 +33,11 @@ std::vector<Golden> golden_runs() {
        "bb18bff29a4ffcb3",
        "60755298a3b484a6"},
       {"uneven", {"model=bishop", "scene.kind=uneven", "scene.height=6"}, "966f55000b35ea5b", "8f9be66b3cbea1ea"},
+      {"grains",
+       {"model=grains", "grid.cell_size=0.01", "scene.sand=60", "wind.strength=10", "wind.bearing=255"},
+       "8dd64539ac9e32a7",
+       "8dd64539ac9e32a7",
+       4},
   };
 }
 
@@ -43,7 +49,7 @@ std::string hash_after(const Golden& golden, const std::string& executor, int th
     set_from_text(config, setting);
   }
   Simulation simulation(config);
-  for (int step = 0; step < 40; ++step) simulation.step();
+  for (int step = 0; step < golden.steps; ++step) simulation.step();
   std::ostringstream text;
   text << std::hex << std::setfill('0') << std::setw(16) << state_hash(simulation.terrain());
   return text.str();

@@ -17,6 +17,7 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   for (const ModelType& model : catalogue()) {
     const std::string key = model.info.key;
+    if (!World{.model = key}.moves_slabs()) continue;  // test_grains.cpp
     all.push_back({key, {.model = key, .extent = {150, 90}}});
     all.push_back({key + " oblique", {.model = key, .extent = {90, 150}, .wind = {237, 4.5}}});
     all.push_back(
