@@ -5,6 +5,7 @@
 
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/notice.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/run_setup.h"
@@ -40,11 +41,13 @@ bool grow(const RenderRequest& request, Simulation& simulation) {
   std::int64_t last = request.steps;
   if (last < 0)
     last = is_checkpoint(request.source) ? simulation.step_count() : simulation.config().run.integer("steps");
+  print_notice(simulation.executor());
   Progress progress(progress_style(request.quiet), simulation.model_type().info.title, simulation.step_count(), last);
   const InterruptGuard guard;
   while (simulation.step_count() < last && !simulation.finished()) {
     if (InterruptGuard::interrupted()) return false;
     simulation.step();
+    print_notice(simulation.executor());
     progress.update(simulation.step_count(), simulation.totals().polls);
   }
   return true;

@@ -9,6 +9,7 @@
 #include "app/film.h"
 #include "app/interrupt.h"
 #include "app/measured_run.h"
+#include "app/notice.h"
 #include "app/progress.h"
 #include "app/run_output.h"
 #include "app/run_setup.h"
@@ -32,11 +33,13 @@ std::string output_folder(const RunRequest& request) { return request.out.empty(
 void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& run, RunOutput* output, Film* film) {
   const std::int64_t last = simulation.config().run.integer("steps");
   const std::int64_t row_every = request.every > 0 ? request.every : std::max<std::int64_t>(1, last / default_rows);
+  print_notice(simulation.executor());
   Progress progress(progress_style(request.quiet), simulation.model_type().info.title, simulation.step_count(), last);
   if (output != nullptr) output->add_row();
   if (film != nullptr) film->add_frame(simulation);
   while (!run.finished() && !InterruptGuard::interrupted()) {
     run.step();
+    print_notice(simulation.executor());
     progress.update(simulation.step_count(), run.polls());
     if (film != nullptr && simulation.step_count() % request.frames == 0) film->add_frame(simulation);
     if (output == nullptr) continue;

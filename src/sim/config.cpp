@@ -199,16 +199,17 @@ Parameters run_parameters() {
       integer_parameter("steps", "Steps", "", 1000, 0, most_steps, "Time steps to run."),
       at_start(
           integer_parameter("seed", "Seed", "", 0, 0, largest_seed, "The same seed gives the same dunes everywhere.")),
-      choice_parameter("executor", "Executor", "auto", executor_names(),
-                       "serial: one slab at a time, the reference; cpu: parallel sub-sweeps; auto: the fastest that "
-                       "works."),
+      choice_parameter(
+          "executor", "Executor", "auto", executor_names(),
+          "serial: one slab at a time, the reference; cpu: parallel sub-sweeps; cuda: the same on a graphics "
+          "card, with the same bits; auto: the fastest that works."),
       only_when(integer_parameter("threads", "Threads", "", 0, 0, 256,
                                   "Threads to use; 0: one for each processor. Results do not depend on it."),
-                {"executor", "auto", "cpu"}),
+                {"executor", "auto", "cpu", "cuda"}),
       only_when(choice_parameter("sweeps", "Sub-sweeps", "16", {"2", "4", "8", "16", "32", "64"},
                                  "Sub-sweeps that a time step is split into: more are slower and closer to one slab "
                                  "at a time."),
-                {"executor", "auto", "cpu"}),
+                {"executor", "auto", "cpu", "cuda"}),
   };
 }
 

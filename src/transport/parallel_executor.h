@@ -103,9 +103,9 @@ class ParallelExecutor : public Executor {
   void slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
   std::pair<int, int> share(int count, int member) const;
   template <typename Lane>
-  SweepPlan<Lane> sweep_plan(const Progress& progress, std::vector<std::uint8_t>& polled_rows) const;
+  SweepPlan<Lane> sweep_plan(const Progress& progress) const;
   template <typename Lane>
-  SlidePlan<Lane> slide_plan(const Progress& progress, Lane* heights) const;
+  SlidePlan<Lane> slide_plan(const SweepPlan<Lane>& sweep, const SlabLaw& law) const;
 
   ExecutorOptions options_;
   ThreadTeam team_;

@@ -8,31 +8,6 @@
 #include "transport/parallel_executor.h"
 
 namespace erg {
-namespace {
-
-/// Cuts the frame's planes into blocks of about 512 columns, two at least from 256 columns on. Open edges and planes of
-/// one block stay unskewed.
-PlaneLayout plane_layout(const WindFrame& frame, bool open) {
-  const int width = frame.width;
-  const int length = frame.length;
-  const auto whole_lines = [](int columns) { return (columns + 63) / 64 * 64; };
-  PlaneLayout layout;
-  layout.width = width;
-  layout.length = length;
-  const int wanted = width < 256 ? 1 : std::max(2, width / 512);
-  layout.block_columns = whole_lines((width + wanted - 1) / wanted);
-  // A few columns left over go to the last block: the seams on both sides of a block must not meet in it.
-  constexpr int narrowest = 64;
-  layout.blocks = std::max(1, (width + layout.block_columns - narrowest) / layout.block_columns);
-  const int widest = std::max(layout.block_columns, whole_lines(layout.columns_of(layout.blocks - 1)));
-  // Never a power of two, or the rows of a block would crowd into a few sets of the processor's caches.
-  layout.pitch = widest + 64;
-  if (layout.blocks > 1 && !open) layout.lean = static_cast<std::int64_t>(frame.tangent * 0x1p24);
-  layout.block_size = static_cast<std::size_t>(layout.pitch) * static_cast<std::size_t>(length);
-  return layout;
-}
-
-}  // namespace
 
 void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const auto bedrock = terrain.bedrock().cells();
@@ -199,8 +174,7 @@ void ParallelExecutor::prepare_walls(const SlabLaw& law) {
 template <typename Lane>
 void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength) {
   const auto rows_256 = [&](double above_reference) {
-    const double rows = law.hop.cells(strength, above_reference) * frame_.cosine;
-    return static_cast<std::uint32_t>(std::max<std::int64_t>(1 << fixed_point_bits, fixed_point(rows)));
+    return hop_rows_256({strength, law.hop.linear, law.hop.quadratic, frame_.cosine}, above_reference);
   };
   if (!law.hop.depends_on_height()) {
     hop_table_.assign(1, rows_256(0));

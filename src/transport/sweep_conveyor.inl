@@ -45,7 +45,7 @@ class Conveyor {
     std::memset(strip_.upwind, 0, sizeof strip_.upwind);
     if (!plan_.open) warm_up();
     walk_.start(0);
-    const int block = plan_.polled_row ? plan_.sweeps : plan_.sweeps / 2;
+    const int block = poll_rows(plan_);
     int row_in_block = 0;
     for (int y = 0; y < plan_.layout.length; ++y) {
       if (row_in_block == 0) draw_polls(y, block);
@@ -194,7 +194,7 @@ class Conveyor {
     fill_random(strip_.target, key);
     Lane* __restrict target = strip_.target;
     const Lane mask = static_cast<Lane>(plan_.sweeps - 1);
-    if (plan_.polled_row) {
+    if (plan_.permuted) {
       for (int i = 0; i < strip_.lines; ++i) target[i] = plan_.polled_row[target[i]];
     } else {
       ERG_EACH(i, lanes_) target[i] = static_cast<Lane>(target[i] & mask);

@@ -59,6 +59,11 @@ void slide_column_seam(const SlidePlan<Lane>& plan, int left, int right) {
   Slider<Lane>(plan).column_seam(left, right);
 }
 
+template <typename Lane>
+void slide_corners(const SlidePlan<Lane>& plan) {
+  Slider<Lane>(plan).corners();
+}
+
 #undef ERG_EACH
 
 }  // namespace
@@ -66,8 +71,8 @@ void slide_column_seam(const SlidePlan<Lane>& plan, int left, int right) {
 extern const SweepKernels<std::uint8_t> narrow_kernels;
 extern const SweepKernels<std::uint16_t> wide_kernels;
 template <typename Lane>
-constexpr SweepKernels<Lane> all_kernels{convey<Lane>,     hand_over<Lane>,      carry<Lane>,
-                                         slide_tile<Lane>, slide_row_seam<Lane>, slide_column_seam<Lane>};
+constexpr SweepKernels<Lane> all_kernels{convey<Lane>,         hand_over<Lane>,         carry<Lane>,       slide_tile<Lane>,
+                                         slide_row_seam<Lane>, slide_column_seam<Lane>, slide_corners<Lane>};
 const SweepKernels<std::uint8_t> narrow_kernels = all_kernels<std::uint8_t>;
 const SweepKernels<std::uint16_t> wide_kernels = all_kernels<std::uint16_t>;
 

@@ -104,8 +104,20 @@ class Slider {
       if (skew_step(y) != 0) run(layout.at(right, 0, y), layout.at(left, last, y + 1), 1, plan_.steps, plan_.step);
     }
     if (!plan_.diagonals || layout.length < 2) return;
+    const int own_rows = layout.lean == 0 ? rows : layout.length - 1;
     for (const bool rising : {true, false}) {
-      for (int y = 0; y < rows; ++y) diagonals_across(left, right, y, rising);
+      for (int y = 0; y < own_rows; ++y) diagonals_across(left, right, y, rising);
+    }
+  }
+
+  /// What is left of the column seams of skewed planes: diagonals over the torus edge, whose upper cells may belong to
+  /// any other seam.
+  void corners() const {
+    for (const bool rising : {true, false}) {
+      for (int block = 0; block < plan_.layout.blocks; ++block) {
+        const int right = block + 1 == plan_.layout.blocks ? 0 : block + 1;
+        diagonals_across(block, right, plan_.layout.length - 1, rising);
+      }
     }
   }
 
@@ -116,7 +128,6 @@ class Slider {
     return y + 1 < plan_.layout.length ? plan_.layout.skew(y + 1) - plan_.layout.skew(y) : 0;
   }
 
-  static bool is_diagonal(EdgeClass edges) { return edges >= rising_even; }
   /// Columns from the lower to the upper cell of an edge.
   static int columns_over(EdgeClass edges) {
     if (!is_diagonal(edges)) return 0;
