@@ -57,6 +57,7 @@ struct LandView::Pane final : LandGround {
   double height(double east, double north) const override { return renderer.ground_height(east, north); }
 };
 
+LandView::LandView(bool software) : software_(software) {}
 LandView::~LandView() = default;
 
 void LandView::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless) {

@@ -32,7 +32,7 @@ struct WindowPart {
 class LandView {
  public:
   /// `software`: the processor draws.
-  explicit LandView(bool software) : software_(software) {}
+  explicit LandView(bool software);
   ~LandView();
   LandView(const LandView&) = delete;
   LandView& operator=(const LandView&) = delete;
