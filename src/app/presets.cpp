@@ -17,6 +17,8 @@ fs::path presets_folder() {
   return fs::is_directory(source) ? source : fs::path();
 }
 
+fs::path gallery_folder() { return presets_folder() / "gallery"; }
+
 std::vector<Preset> presets() {
   std::vector<Preset> found;
   const fs::path folder = presets_folder();

@@ -16,6 +16,9 @@ struct Preset {
 /// source tree that it was built from. Empty when neither is there.
 std::filesystem::path presets_folder();
 
+/// The folder of the presets' pictures (`erg gallery` makes them): NAME.jpg for the preset NAME.
+std::filesystem::path gallery_folder();
+
 /// Every preset, by name.
 std::vector<Preset> presets();
 
