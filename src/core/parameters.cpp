@@ -118,6 +118,11 @@ Parameter path_parameter(std::string key, std::string label, std::string meaning
   return parameter;
 }
 
+Parameter at_start(Parameter parameter) {
+  parameter.at_start = true;
+  return parameter;
+}
+
 std::optional<Mistake> check_value(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
   switch (parameter.kind) {
     case ParameterKind::real:

@@ -32,6 +32,8 @@ struct Parameter {
   std::string source;  ///< paper, equation or table; "" for our own
   /// Only matters when the choice `key` (first) of the same group has one of the values (rest); empty: always.
   std::vector<std::string> only_when;
+  /// Read only when the terrain is made: a change needs a new terrain. Others may change while a run goes on.
+  bool at_start = false;
 };
 
 /// Makers, so that a declaration reads as one line of a table.
@@ -44,6 +46,8 @@ Parameter boolean_parameter(std::string key, std::string label, bool standard, s
 Parameter choice_parameter(std::string key, std::string label, std::string standard, std::vector<std::string> choices,
                            std::string meaning, std::string source = {});
 Parameter path_parameter(std::string key, std::string label, std::string meaning);
+/// The same declaration, marked as read only when the terrain is made.
+Parameter at_start(Parameter parameter);
 
 using Parameters = std::vector<Parameter>;
 

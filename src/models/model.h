@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/material.h"
 #include "core/parameters.h"
 #include "core/random.h"
 #include "core/terrain.h"
@@ -17,13 +18,14 @@ namespace erg {
 
 /// What a model is, for people.
 struct ModelInfo {
-  std::string key;             ///< name in configs and on the command line
-  std::string title;           ///< "Momiji et al. 2000"
-  std::string citation;        ///< the publication
-  std::string makes;           ///< what it makes
-  std::string leaves_out;      ///< what it does not model
-  std::string step;            ///< what one time step means
-  std::string strength_label;  ///< what the wind's strength is: "hop length, cells"
+  std::string key;                     ///< name in configs and on the command line
+  std::string title;                   ///< "Momiji et al. 2000"
+  std::string citation;                ///< the publication
+  std::string makes;                   ///< what it makes
+  std::string leaves_out;              ///< what it does not model
+  std::string step;                    ///< what one time step means
+  std::string strength_label;          ///< what the wind's strength is: "hop length, cells"
+  Material material = Material::sand;  ///< what it moves
 };
 
 /// A model at work on one terrain.

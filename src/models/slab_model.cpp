@@ -18,8 +18,8 @@ StandingSteps standing_steps(const ParameterValues& values, double cell_size) {
 
 Parameters slab_parameters(const SlabFamily& family) {
   Parameters parameters{
-      real_parameter("slab_height", "Slab height", "m", 1.0 / 3, 0.001, 100,
-                     "Height of one slab: the smallest amount of sand that moves.", "Werner 1995"),
+      at_start(real_parameter("slab_height", "Slab height", "m", 1.0 / 3, 0.001, 100,
+                              "Height of one slab: the smallest amount of sand that moves.", "Werner 1995")),
       real_parameter("repose_angle", "Angle of repose", "deg", family.repose_angle, 1, 80,
                      "Slopes steeper than this slide. Slabs are coarse: the step in slabs that it means is "
                      "tan(angle) * cell_size / slab_height, rounded up.",

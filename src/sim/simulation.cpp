@@ -14,7 +14,20 @@ ExecutorOptions executor_options(const ParameterValues& run) {
   return options;
 }
 
+/// Whether one of the values that are read only at the start differs.
+bool start_differs(const ParameterValues& running, const ParameterValues& wanted) {
+  return std::ranges::any_of(running.declared(), [&](const Parameter& parameter) {
+    return parameter.at_start && running.value(parameter.key) != wanted.value(parameter.key);
+  });
+}
+
 }  // namespace
+
+bool needs_new_terrain(const Config& running, const Config& wanted) {
+  return running.model != wanted.model || running.grid != wanted.grid || running.scene != wanted.scene ||
+         running.run.integer("seed") != wanted.run.integer("seed") ||
+         start_differs(running.parameters, wanted.parameters);
+}
 
 Simulation::Simulation(Config config, const HeightPicture* picture) : config_(std::move(config)) {
   start();
@@ -58,6 +71,26 @@ void Simulation::book_edit() {
   MassLedger& ledger = state_.terrain.ledger();
   const std::int64_t change = state_.terrain.total_mobile() - ledger.expected();
   (change >= 0 ? ledger.in : ledger.out) += change >= 0 ? change : -change;
+  wake();
+}
+
+void Simulation::change(Config config) {
+  if (needs_new_terrain(config_, config)) {
+    throw InputError("", "this change needs a new terrain", "create the terrain anew");
+  }
+  std::unique_ptr<Model> model = type_->make(config.parameters);
+  std::unique_ptr<Executor> executor = make_executor(executor_options(config.run));
+  executor_->settle(state_.terrain);
+  config_ = std::move(config);
+  model_ = std::move(model);
+  executor_ = std::move(executor);
+  model_->begin(state_.terrain);
+  wake();
+}
+
+void Simulation::wake() {
+  state_.totals.finished = false;
+  state_.totals.why_finished.clear();
 }
 
 const RunState& Simulation::state() {

@@ -19,6 +19,10 @@ struct RunState {
   StepReport totals;
 };
 
+/// Whether a run cannot go on from `running` to `wanted` without a new terrain: another model, grid, scene or seed, or
+/// another value of a parameter that is read only at the start.
+bool needs_new_terrain(const Config& running, const Config& wanted);
+
 class Simulation {
  public:
   /// Builds the scene. `picture` as in build_scene.
@@ -43,14 +47,19 @@ class Simulation {
   StepReport step();
   /// The terrain, up to date.
   const Terrain& terrain();
-  /// The terrain for editing (painting, events); the ledger books what the edit adds or takes with book_edit.
+  /// The terrain for editing (painting, events); book_edit, afterwards, books in the ledger what the edit added or
+  /// took.
   Terrain& edit_terrain();
   void book_edit();
+  /// Goes on under another config from the next step on, as a run resumed from here would. A run that had come to its
+  /// end may move again. Throws InputError, and leaves all as it was, where needs_new_terrain.
+  void change(Config config);
   /// What a checkpoint needs.
   const RunState& state();
 
  private:
   void start();
+  void wake();
 
   Config config_;
   const ModelType* type_ = nullptr;

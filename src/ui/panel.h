@@ -7,24 +7,16 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/image.h"
+#include "studio/studio.h"
 
 namespace erg {
-
-class Studio;
-
-/// A cell of the land.
-struct LandCell {
-  int x = 0;
-  int y = 0;
-  bool operator==(const LandCell&) const = default;
-};
 
 /// What the left mouse button does on the land.
 enum class LandTool {
@@ -35,10 +27,10 @@ enum class LandTool {
 
 /// The pointer on the land in this frame.
 struct LandPointer {
-  std::optional<LandCell> cell;  ///< under the pointer; none beside the land or over a panel
-  bool pressed = false;          ///< the left button went down on `cell` in this frame, with a tool other than camera
-  bool held = false;             ///< it is down since
-  bool released = false;         ///< it went up in this frame
+  std::optional<CellPlace> cell;  ///< under the pointer; none beside the land or over a panel
+  bool pressed = false;           ///< the left button went down on `cell` in this frame, with a tool other than camera
+  bool held = false;              ///< it is down since
+  bool released = false;          ///< it went up in this frame
 };
 
 /// A line of markings that a panel wants to see over the land: the cross-section, the brush's rim.

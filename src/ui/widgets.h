@@ -29,18 +29,6 @@ class WidgetScope {
   WidgetScope& operator=(const WidgetScope&) = delete;
 };
 
-/// Greys out what follows while it lives; hovering tells why.
-class Unavailable {
- public:
-  explicit Unavailable(bool unavailable) : active_(unavailable) { ImGui::BeginDisabled(active_); }
-  ~Unavailable() { ImGui::EndDisabled(); }
-  Unavailable(const Unavailable&) = delete;
-  Unavailable& operator=(const Unavailable&) = delete;
-
- private:
-  bool active_;
-};
-
 /// Explains the last item while the pointer rests on it, disabled or not. Wrapped; "" says nothing.
 void tooltip(std::string_view text);
 
@@ -71,11 +59,11 @@ bool button(const char* label, const ButtonInfo& info = {});
 /// What a row of a panel says about its value. A row is: label, entry, unit, dot when changed, reset.
 struct Row {
   std::string label;
-  std::string unit;
-  std::string tooltip;
+  std::string unit = {};
+  std::string tooltip = {};
   bool changed = false;            ///< shows the dot, and the reset button
   bool needs_new_terrain = false;  ///< marked: takes hold with CREATE only
-  std::string unavailable;         ///< why it cannot be changed now; "": it can
+  std::string unavailable = {};    ///< why it cannot be changed now; "": it can
 };
 
 /// What happened to a row in this frame.
@@ -88,7 +76,7 @@ RowEvent real_row(const Row& row, double& value, double minimum, double maximum)
 RowEvent integer_row(const Row& row, std::int64_t& value, std::int64_t minimum, std::int64_t maximum);
 RowEvent switch_row(const Row& row, bool& value);
 RowEvent choice_row(const Row& row, std::string& value, std::span<const std::string> choices);
-/// Changed with Enter or when another widget is chosen.
+/// Changed with every letter.
 RowEvent text_row(const Row& row, std::string& value);
 
 /// The row that a declaration asks for: label, unit, range, and a tooltip with meaning, range, default and source.

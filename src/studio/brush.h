@@ -1,0 +1,33 @@
+// Painting: sand and rock put on the ground or taken from it, with the account kept.
+#pragma once
+
+#include <cstdint>
+
+#include "core/terrain.h"
+
+namespace erg {
+
+/// What a brush puts down.
+enum class BrushMaterial {
+  sand,  ///< the mobile layer: sand or snow
+  rock   ///< bedrock, which nothing moves; the mobile layer on it is lifted along
+};
+
+/// One touch of a brush.
+struct Dab {
+  BrushMaterial material = BrushMaterial::sand;
+  double x = 0;             ///< cells east of the grid's western edge (a cell's centre lies at its index + 0.5)
+  double y = 0;             ///< cells north of the southern edge
+  double radius = 8;        ///< cells, smallest_brush to largest_brush
+  std::int32_t amount = 1;  ///< quanta at the middle, falling smoothly to none at the radius; negative takes away
+};
+
+inline constexpr double smallest_brush = 0.5;
+inline constexpr double largest_brush = 512;
+
+/// Puts one dab on the terrain: on a torus also across its edges, on an open grid cut off at them. Sand is taken only
+/// where some lies. Says whether a cell changed. Throws InputError, and leaves the terrain as it was, when the ground
+/// would become higher than executors count. The ledger is the caller's (Simulation::book_edit).
+bool apply_dab(Terrain& terrain, const Dab& dab);
+
+}  // namespace erg

@@ -1,0 +1,72 @@
+// The runs themselves, one to four, stepped together and edited with exact undo. No thread of its own.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "io/checkpoint.h"
+#include "sim/simulation.h"
+#include "studio/brush.h"
+
+namespace erg {
+
+/// The most runs that are compared at once.
+inline constexpr std::size_t most_runs = 4;
+
+/// Runs under one wind and one clock. When a function throws, everything is as it was before.
+class Lockstep {
+ public:
+  /// The runs' states at one moment.
+  using Moment = std::vector<std::shared_ptr<const Saved>>;
+
+  bool empty() const { return runs_.empty(); }
+  std::size_t size() const { return runs_.size(); }
+  Simulation& run(std::size_t index) { return *runs_[index]; }
+  std::int64_t step_count() const { return empty() ? 0 : runs_.front()->step_count(); }
+  /// Nothing can move any more in any run.
+  bool finished() const;
+  /// Why, of the first run.
+  std::string why_finished() const;
+
+  /// New terrains for these configs. Throws InputError: none or too many, winds that differ, whatever a scene lacks.
+  void create(const std::vector<Config>& configs);
+  /// Goes on from saved states. Throws InputError as create does, and for clocks that differ.
+  void resume(std::vector<Saved> saved);
+  /// Back to the first step of what was created or resumed; can be undone.
+  void reset();
+  /// Exactly this moment again: after a failure, or on undo.
+  void go_to(const Moment& moment);
+  /// What go_to needs.
+  Moment moment() const;
+
+  /// One time step of every run that is not finished; their clocks stay together. Returns the polls of all.
+  std::int64_t step();
+  /// Other configs from the next step on, as many as there are runs. Throws InputError.
+  void change(const std::vector<Config>& configs);
+  /// A dab on one run, booked in its ledger. Throws InputError.
+  void paint(std::size_t run, const Dab& dab, std::uint64_t stroke);
+
+  std::size_t undo_count() const { return undo_.size(); }
+  std::size_t redo_count() const { return redo_.size(); }
+  /// Back to before the last stroke or reset. False when there is none.
+  bool undo();
+  bool redo();
+
+ private:
+  struct Edit {
+    std::uint64_t stroke = 0;  ///< 0: a reset
+    Moment before;
+  };
+  void remember(std::uint64_t stroke);
+  void forget_edits();
+  void take(std::vector<std::unique_ptr<Simulation>> runs);
+
+  std::vector<std::unique_ptr<Simulation>> runs_;
+  Moment beginning_;
+  std::deque<Edit> undo_;
+  std::deque<Edit> redo_;
+};
+
+}  // namespace erg

@@ -1,0 +1,114 @@
+// The worker: owns the runs on a thread of its own, takes commands and publishes snapshots. The window never waits for
+// a step, and no lock is held while anything is stepped or drawn.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "io/checkpoint.h"
+#include "studio/brush.h"
+#include "studio/lockstep.h"
+#include "studio/log.h"
+#include "studio/publisher.h"
+#include "studio/snapshot.h"
+
+namespace erg {
+
+/// Owns one to four runs that go by one clock.
+///
+/// Each command returns at once; the worker carries commands out in the order given, between two steps. What goes wrong
+/// is written to the log and leaves the runs as they were. All functions may be called from any thread.
+class Runner {
+ public:
+  /// `log` must outlive the runner.
+  explicit Runner(Log& log);
+  /// Stops after the step under way.
+  ~Runner();
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  // -- what the window reads --
+
+  /// The newest snapshot; never null.
+  std::shared_ptr<const Snapshot> snapshot() const;
+  /// Commands given so far: a snapshot with this many `commands_done` shows the work of all of them.
+  std::uint64_t commands_given() const;
+  /// Waits until every command given so far has been carried out, and shows in the snapshot.
+  void wait_for_commands() const;
+  /// The same, and until the worker is not running any more. Without a goal or an end that can be for ever.
+  void wait_until_still() const;
+
+  // -- commands --
+
+  /// Makes terrains for these configs (1 to 4, one wind) and shows them, paused. When one cannot be made the runs that
+  /// were there stay.
+  void create(std::vector<Config> configs);
+  /// Goes on from saved states, paused.
+  void resume(std::vector<Saved> saved);
+  /// Everything back to step 0 of what was created or resumed. Can be undone.
+  void reset();
+  void play();
+  void pause();
+  /// One step, then paused.
+  void step();
+  /// `steps` more steps, then paused.
+  void run(std::int64_t steps);
+  /// At most this many steps a second, 0: unlimited.
+  void set_speed(double steps_per_second);
+  /// The runs go on under these configs (as many as there are runs) from the next step on.
+  void change(std::vector<Config> configs);
+  /// Puts a dab on one run. Dabs with the same stroke number are undone together.
+  void paint(std::size_t run, const Dab& dab, std::uint64_t stroke);
+  /// Back to exactly what was before the last stroke or reset: terrain, account, clock.
+  void undo();
+  void redo();
+  /// Whether snapshots carry the wind's shadow.
+  void watch_shadow(bool wanted);
+
+ private:
+  using Command = std::function<void(Runner&)>;
+
+  void give(Command command);
+  void work();
+  bool take_commands();
+  void carry_out(const Command& command);
+  void step_on();
+  void fail(const std::string& what);
+  void settle_activity();
+  void pause_now();
+  std::chrono::steady_clock::time_point next_step_time() const;
+
+  Log& log_;
+
+  // Shared, under mutex_: the queue.
+  mutable std::mutex mutex_;
+  mutable std::condition_variable wake_;
+  mutable std::condition_variable published_;
+  std::deque<Command> queue_;
+  std::uint64_t given_ = 0;
+  bool stopping_ = false;
+  std::shared_ptr<const Snapshot> newest_;
+
+  // The worker's own.
+  Lockstep runs_;
+  Publisher publisher_;
+  Activity activity_ = Activity::empty;
+  std::string message_;
+  std::uint64_t done_ = 0;
+  double speed_limit_ = 0;
+  std::int64_t goal_start_ = 0;
+  std::int64_t goal_ = -1;
+  std::chrono::steady_clock::time_point last_step_{};
+
+  std::thread thread_;
+};
+
+}  // namespace erg

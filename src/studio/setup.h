@@ -1,0 +1,90 @@
+// What is being set up: a config under edit, in which nothing invalid can be entered.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/errors.h"
+#include "core/parameters.h"
+#include "models/model.h"
+#include "sim/config.h"
+#include "studio/wind_editor.h"
+
+namespace erg {
+
+/// One value as a panel shows it, with its declaration.
+struct SetupRow {
+  std::string group;                     ///< "grid", "scene", "parameters", "run"
+  const Parameter* parameter = nullptr;  ///< key, label, unit, range, meaning, source; lives as long as the setup
+  ParameterValue value;
+  bool changed = false;            ///< not at its default
+  bool relevant = true;            ///< false: has no effect with the other values as they are (only_when)
+  bool needs_new_terrain = false;  ///< a change takes effect with CREATE only
+  bool pending = false;            ///< differs from what runs now
+
+  /// The tooltip: meaning, unit, what is accepted, default, source, when it takes effect.
+  std::string tooltip() const;
+};
+
+class Setup {
+ public:
+  /// Everything at its default.
+  Setup() = default;
+  explicit Setup(Config config) : config_(std::move(config)) {}
+
+  const Config& config() const { return config_; }
+  /// Another config in place of this one, as after loading.
+  void replace(Config config) { config_ = std::move(config); }
+
+  /// The models that move this material, in the catalogue's order.
+  static std::vector<const ModelType*> models_of(Material material);
+  Material material() const;
+  /// Changes to the first model of the material, unless it is that material already.
+  void choose_material(Material material);
+  const ModelType& model() const;
+  /// Throws InputError for an unknown key.
+  void choose_model(const std::string& key);
+
+  /// The rows of one group, in the order of the declarations. `running`: the config of the run now, or null.
+  std::vector<SetupRow> rows(const std::string& group, const Config* running = nullptr) const;
+  /// Enters a value; what is wrong with it, and then nothing has changed.
+  std::optional<Mistake> set(const std::string& group, const std::string& key, const ParameterValue& value);
+  /// The same as typed.
+  std::optional<Mistake> set_text(const std::string& group, const std::string& key, std::string_view text);
+  /// One value back to its default.
+  void reset(const std::string& group, const std::string& key);
+  /// RESET DEFAULT: everything but the model, the wind included.
+  void reset_all();
+
+  void set_title(std::string title) { config_.title = std::move(title); }
+  void set_description(std::string description) { config_.description = std::move(description); }
+
+  /// The wind under edit.
+  WindEditor wind() { return WindEditor(config_.wind); }
+
+  /// Whether CREATE draws a new seed each time.
+  bool fresh_seed() const { return fresh_seed_; }
+  void set_fresh_seed(bool fresh) { fresh_seed_ = fresh; }
+
+  /// What the values mean on the grid, in words of the model ("repose 33.7 deg: a step of 3 slabs stands").
+  std::vector<std::string> explanations() const;
+  /// What stands against CREATE: a picture that is missing. Each value by itself is always right.
+  std::vector<Mistake> mistakes() const;
+  /// Whether CREATE is needed for what differs from the running config.
+  bool needs_new_terrain(const Config& running) const;
+  /// The config that CREATE makes: with a new seed, kept from then on, if fresh_seed. Throws InputError with
+  /// mistakes().
+  Config config_to_create();
+
+ private:
+  ParameterValues* group(const std::string& key);
+
+  Config config_;
+  bool fresh_seed_ = false;
+};
+
+}  // namespace erg

@@ -1,0 +1,107 @@
+// Everything the window shows and does, without a window: what a panel gets to see.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studio/comparison.h"
+#include "studio/exporter.h"
+#include "studio/log.h"
+#include "studio/probe.h"
+#include "studio/runner.h"
+#include "studio/session.h"
+#include "studio/settings.h"
+#include "studio/snapshot.h"
+
+namespace erg {
+
+/// Where things are kept. An empty folder: nothing is kept.
+struct StudioFolders {
+  std::filesystem::path settings;
+  std::filesystem::path state;
+  std::filesystem::path presets;
+};
+
+/// The view model. Belongs to the window's thread.
+class Studio {
+ public:
+  explicit Studio(StudioFolders folders);
+  /// Saves settings and ends the session in order.
+  ~Studio();
+  Studio(const Studio&) = delete;
+  Studio& operator=(const Studio&) = delete;
+
+  /// Once a frame: takes the newest snapshot, hands edits that may take effect at once to the runs, autosaves.
+  void tick();
+  /// The snapshot that this frame draws; the same from tick to tick.
+  const Snapshot& now() const { return *snapshot_; }
+  std::shared_ptr<const Snapshot> shared_now() const { return snapshot_; }
+
+  Runner& runner() { return *runner_; }
+  Comparison& comparison() { return comparison_; }
+  /// The setup that the panels edit.
+  Setup& setup() { return comparison_.setup(active_); }
+  std::size_t active() const { return active_; }
+  void set_active(std::size_t run);
+  Log& log() { return log_; }
+  Settings& settings() { return settings_; }
+  const StudioFolders& folders() const { return folders_; }
+
+  /// CREATE. False, with the mistakes in the log, when something stands against it.
+  bool create();
+  /// Whether CREATE would change what runs (it lights up), or nothing runs yet.
+  bool create_needed() const;
+
+  /// Opens a config (or a checkpoint) and creates it. A file with mistakes is refused: every mistake goes to the log
+  /// with its line, and what was open stays.
+  bool open(const std::filesystem::path& path);
+  /// Saves the setup as a config. False, with the reason in the log, when it cannot.
+  bool save_config(const std::filesystem::path& path);
+  /// The file that the setup came from or was saved to; empty at first.
+  const std::filesystem::path& file() const { return file_; }
+  /// The setup differs from what was loaded or saved.
+  bool unsaved() const;
+  /// "barchan field - Momiji et al. 2000, 512 x 512".
+  std::string title() const;
+
+  /// A checkpoint of one run as it stands now.
+  bool save_checkpoint(const std::filesystem::path& path, std::size_t run);
+  /// Starts an export of the run shown as active.
+  void start_export(const std::filesystem::path& path, const std::string& format);
+  /// The export under way or just ended; null when there was none.
+  Export* running_export() { return export_.get(); }
+  /// Where a file about the active run says it comes from.
+  Provenance provenance() const;
+
+  /// Sessions that a crash left behind; empty once recovered or discarded.
+  const std::vector<LostSession>& lost_sessions() const { return lost_; }
+  bool recover(std::size_t index);
+  void discard_lost(std::size_t index);
+  /// The display is lost: saves the runs for the next start. What to tell the person: where, or why not.
+  std::string rescue();
+
+ private:
+  void apply_edits();
+  void watch_background();
+
+  StudioFolders folders_;
+  Log log_;
+  Settings settings_;
+  Settings saved_settings_;
+  Comparison comparison_;
+  std::size_t active_ = 0;
+  std::filesystem::path file_;
+  Config saved_config_;
+  std::unique_ptr<Runner> runner_;
+  std::shared_ptr<const Snapshot> snapshot_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<Export> export_;
+  bool export_reported_ = true;
+  std::vector<LostSession> lost_;
+};
+
+}  // namespace erg

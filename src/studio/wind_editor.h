@@ -1,0 +1,76 @@
+// Editing the wind: a list of seasons in which no step is invalid, and the whole cycle drawn out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/errors.h"
+#include "wind/regime.h"
+
+namespace erg {
+
+/// Edits a regime where it stands. There is always at least one season; values outside their range are refused.
+class WindEditor {
+ public:
+  explicit WindEditor(Regime& regime) : regime_(&regime) {}
+
+  const Regime& regime() const { return *regime_; }
+  std::size_t seasons() const { return regime_->seasons.size(); }
+  const Season& season(std::size_t index) const { return regime_->seasons.at(index); }
+
+  /// A copy of the season right behind it; returns the copy's index.
+  std::size_t duplicate(std::size_t index);
+  /// A season at its defaults at the end; returns its index.
+  std::size_t add();
+  /// Removes it; the last one that is left stays. False then.
+  bool remove(std::size_t index);
+  /// One place up (earlier) or down (later). False at the end of the list.
+  bool move_up(std::size_t index);
+  bool move_down(std::size_t index);
+  /// One season at its defaults: a constant wind.
+  void reset();
+
+  // Each says what is wrong with the value, and then nothing has changed.
+  std::optional<Mistake> set_bearing(std::size_t index, double degrees);
+  /// "270", "W", "nne".
+  std::optional<Mistake> set_bearing(std::size_t index, std::string_view text);
+  std::optional<Mistake> set_first(std::size_t index, double strength);
+  std::optional<Mistake> set_last(std::size_t index, double strength);
+  std::optional<Mistake> set_steps(std::size_t index, std::int64_t steps);
+  /// The strength curve's control points; both must lie in the unit square.
+  std::optional<Mistake> set_curve(std::size_t index, const BezierCurve& curve);
+  /// RESET of the curve: a straight line.
+  void reset_curve(std::size_t index) { regime_->seasons.at(index).curve = BezierCurve{}; }
+
+ private:
+  Regime* regime_;
+};
+
+/// The wind over one cycle for a plot: `samples` points (at least 2) evenly over the steps, and where each season
+/// begins.
+struct WindCycle {
+  std::vector<std::int64_t> steps;
+  std::vector<double> bearings;   ///< degrees
+  std::vector<double> strengths;  ///< as the model understands them
+  std::vector<std::int64_t> season_starts;
+  std::int64_t length = 1;  ///< steps
+  /// Where `step` lies in the cycle, in steps.
+  std::int64_t position(std::int64_t step) const { return step % length; }
+  /// Which season blows then.
+  std::size_t season_at(std::int64_t step) const;
+};
+WindCycle sample_cycle(const Regime& regime, std::size_t samples);
+
+/// How much wind comes from where: the sum of strengths over steps, in equal sectors; sector 0 is centred on north.
+struct WindRose {
+  std::vector<double> blown;    ///< steps 0 to now
+  std::vector<double> to_blow;  ///< from now to the end
+  double largest() const;       ///< of blown + to_blow, for scaling
+};
+/// `now` steps done out of `end`. Long runs are summed by whole cycles.
+WindRose wind_rose(const Regime& regime, std::int64_t now, std::int64_t end, std::size_t sectors = 16);
+
+}  // namespace erg
