@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "ui/widgets.h"
+
 namespace erg {
 namespace {
 
-constexpr float handle_radius = 7;
-constexpr float grab_radius = 11;  ///< large enough for a trackpad
+// At scale 1, pixels.
+constexpr float handle_size = 7;
+constexpr float grab_size = 11;  // large enough for a trackpad
 
 double snapped(double share) { return ImGui::GetIO().KeyShift ? std::round(share * 10) / 10 : share; }
 
@@ -24,17 +27,21 @@ enum class Grip { none, dragged, removed };
 
 /// A point to be grabbed. Submitted as an item, so that the window under it stays where it is.
 Grip handle(const char* name, ImVec2 place) {
+  const Gui& gui = Gui::current();
+  const float grab_radius = gui.px(grab_size);
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({place.x - grab_radius, place.y - grab_radius});
   ImGui::InvisibleButton(name, {2 * grab_radius, 2 * grab_radius},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  mark(name);
   const bool active = ImGui::IsItemActive();
   const bool hot = active || ImGui::IsItemHovered();
   const bool removed = ImGui::IsItemClicked(ImGuiMouseButton_Right);
   ImGui::SetCursorScreenPos(after);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddCircleFilled(place, handle_radius + (hot ? 2.0f : 0.0f), ImGui::GetColorU32(ImGuiCol_CheckMark));
-  list.AddCircle(place, handle_radius + (hot ? 2.0f : 0.0f), ImGui::GetColorU32(ImGuiCol_WindowBg), 0, 2);
+  const float radius = gui.px(handle_size + (hot ? 2.0f : 0.0f));
+  list.AddCircleFilled(place, radius, ImGui::GetColorU32(gui.theme().accent));
+  list.AddCircle(place, radius, ImGui::GetColorU32(gui.theme().panel), 0, gui.px(2));
   if (removed) return Grip::removed;
   return active && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0) ? Grip::dragged : Grip::none;
 }
@@ -56,36 +63,32 @@ void draw_now(const PlotArea& area, const std::optional<double>& cursor) {
 }
 
 /// One number beside the curve; true when it was typed anew.
-bool typed_share(const char* name, double& share) {
+bool typed_share(const char* name, const char* meaning, double& share) {
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(ImGui::CalcTextSize("0.000").x + 2 * ImGui::GetStyle().FramePadding.x + 4);
+  ImGui::SetNextItemWidth(ImGui::CalcTextSize("0.000").x + 2 * ImGui::GetStyle().FramePadding.x);
   double value = share;
-  if (!ImGui::InputDouble(name, &value, 0, 0, "%.3f")) return false;
-  if (!std::isfinite(value)) return false;
-  share = std::clamp(value, 0.0, 1.0);
-  return true;
+  const bool edited = ImGui::InputDouble(name, &value, 0, 0, "%.3g");
+  mark(name + 2);
+  tooltip(meaning);
+  if (!edited || !std::isfinite(value)) return false;
+  const double held = std::clamp(value, 0.0, 1.0);
+  const bool changed = held != share;
+  share = held;
+  return changed;
 }
 
 bool typed_point(const char* name, CurvePoint& point) {
-  ImGui::PushID(name);
+  const WidgetScope scope(name);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", name);
-  const bool across = typed_share("##x", point.x);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("how far along the time, 0 to 1");
-  const bool up = typed_share("##y", point.y);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("how far from the first to the last value, 0 to 1");
-  ImGui::PopID();
+  const bool across = typed_share("##x", "How far along the time the curve is pulled, 0 to 1.", point.x);
+  const bool up = typed_share("##y", "How far from the first to the last value it is pulled, 0 to 1.", point.y);
   return across || up;
 }
 
 bool reset_button(bool is_standard) {
-  ImGui::BeginDisabled(is_standard);
-  const bool pressed = ImGui::Button("RESET");
-  ImGui::EndDisabled();
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-    ImGui::SetTooltip(is_standard ? "it is as it was at first" : "back to the shape it had at first");
-  }
-  return pressed;
+  return button("RESET", {.tooltip = "Back to the shape it had at first.",
+                          .unavailable = is_standard ? "It has that shape." : ""});
 }
 
 /// The box of a Bezier and its shares; a strength that falls runs from the upper left to the lower right.
@@ -145,7 +148,7 @@ bool add_point(std::vector<CurvePoint>& points, const PlotArea& area) {
 }  // namespace
 
 bool edit_curve(const char* id, BezierCurve& curve, const CurveFrame& frame) {
-  ImGui::PushID(id);
+  const WidgetScope scope(id);
   const PlotFrame plot = plot_frame(frame);
   const CurveBox box{draw_axes("box", plot), frame.y.high < frame.y.low};
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -165,13 +168,12 @@ bool edit_curve(const char* id, BezierCurve& curve, const CurveFrame& frame) {
     curve = {};
     changed = true;
   }
-  ImGui::PopID();
   return changed;
 }
 
 bool edit_points(const char* id, std::vector<CurvePoint>& points, const std::vector<CurvePoint>& standard,
                  const CurveFrame& frame) {
-  ImGui::PushID(id);
+  const WidgetScope scope(id);
   const PlotArea area = draw_axes("box", plot_frame(frame));
   draw_now(area, frame.cursor);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -196,7 +198,6 @@ bool edit_points(const char* id, std::vector<CurvePoint>& points, const std::vec
     points = standard;
     changed = true;
   }
-  ImGui::PopID();
   return changed;
 }
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/widgets.h"
+
 namespace erg {
 namespace {
 
 constexpr float gap = 4;
-constexpr ImU32 colours[] = {IM_COL32(224, 176, 98, 255), IM_COL32(110, 166, 214, 255), IM_COL32(122, 180, 110, 255),
-                             IM_COL32(214, 122, 122, 255), IM_COL32(160, 142, 212, 255), IM_COL32(150, 150, 150, 255)};
 
 ImU32 faint(ImGuiCol colour, float opacity) { return ImGui::GetColorU32(colour, opacity); }
 
@@ -159,7 +159,7 @@ double PlotArea::y_at(float pixel) const {
   return std::lerp(y.low, y.high, static_cast<double>((lower_right.y - pixel) / (lower_right.y - upper_left.y)));
 }
 
-ImU32 line_colour(int line) { return colours[static_cast<std::size_t>(std::max(0, line)) % std::size(colours)]; }
+ImU32 line_colour(int line) { return ImGui::ColorConvertFloat4ToU32(Gui::current().theme().line(line)); }
 
 PlotArea draw_axes(const char* id, const PlotFrame& frame) {
   ImGui::PushID(id);
@@ -190,6 +190,7 @@ PlotArea draw_axes(const char* id, const PlotFrame& frame) {
                  frame.x_label.c_str());
   }
   ImGui::Dummy({width, height});
+  mark(id, area.upper_left, area.lower_right);
   area.hovered = ImGui::IsItemHovered() && ImGui::IsMouseHoveringRect(area.upper_left, area.lower_right);
   ImGui::PopID();
   return area;

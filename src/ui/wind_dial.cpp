@@ -12,6 +12,7 @@
 #include "core/errors.h"
 #include "core/units.h"
 #include "ui/axis_ticks.h"
+#include "ui/widgets.h"
 #include "wind/bearing.h"
 
 namespace erg {
@@ -115,6 +116,7 @@ bool wind_dial(const char* id, double& bearing, float size) {
   const float letter = ImGui::GetTextLineHeight();
   const float radius = size / 2 - letter - 2;
   ImGui::InvisibleButton(id, {size, size});
+  mark(id);
   const bool active = ImGui::IsItemActive();
   const bool hovered = ImGui::IsItemHovered();
   bool changed = false;
@@ -126,7 +128,7 @@ bool wind_dial(const char* id, double& bearing, float size) {
   draw_compass(middle, radius);
   draw_letters(middle, radius + letter / 2 + 2);
   draw_hand(middle, bearing, radius, active || hovered);
-  if (hovered && !active) ImGui::SetTooltip("drag to where the wind blows from; with Shift to a point of the compass");
+  if (!active) tooltip("Drag to where the wind blows from; with Shift to a point of the compass.");
   return changed;
 }
 
@@ -135,7 +137,10 @@ bool type_bearing(const char* id, double& bearing) {
   std::string text = figure_text(bearing, 5);
   ImGui::SetNextItemWidth(ImGui::CalcTextSize("000.00").x + 2 * ImGui::GetStyle().FramePadding.x + 8);
   const double before = bearing;
-  if (ImGui::InputText(id, &text)) {
+  const bool edited = ImGui::InputText(id, &text);
+  mark(id);
+  tooltip("Where the wind blows from: degrees clockwise from north, or a point of the compass such as W or NNE.");
+  if (edited) {
     try {
       bearing = parse_bearing(text, "bearing");
     } catch (const InputError& error) {
