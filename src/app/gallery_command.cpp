@@ -59,15 +59,15 @@ bool draw_preset(const Preset& preset, const fs::path& file, Renderer& renderer,
 }
 
 ExitCode make_gallery(const GalleryRequest& request) {
-  const fs::path folder = request.out.empty() ? gallery_folder() : fs::path(request.out);
+  const fs::path folder = request.out.empty() ? presets_folder() : fs::path(request.out);
   const std::unique_ptr<GlContext> context = make_offscreen_context();
   Renderer renderer;
   const InterruptGuard guard;
   for (const Preset& preset : wanted_presets(request)) {
-    const fs::path file = folder / (preset.name + ".jpg");
+    const fs::path file = preset_picture(folder, preset.name);
     if (request.missing && fs::exists(file)) continue;
     if (!draw_preset(preset, file, renderer, request.quiet)) {
-      std::cerr << "Interrupted; the pictures made so far are in " << folder.string() << ".\n";
+      std::cerr << "Interrupted; the pictures made so far are in " << (folder / "gallery").string() << ".\n";
       return exit_failed;
     }
     if (!request.quiet) std::cout << "wrote " << file.string() << "\n";
@@ -81,7 +81,7 @@ void add_gallery_command(CLI::App& program, Action& action) {
   const auto request = std::make_shared<GalleryRequest>();
   CLI::App* command = program.add_subcommand("gallery", "Draw the presets' pictures for the window's gallery");
   command->add_option("PRESET", request->names, "Presets (default: all of them)");
-  command->add_option("--out", request->out, "Folder to write into (default: that of the presets' pictures)");
+  command->add_option("--out", request->out, "Folder in which to make the folder gallery (default: that of the presets)");
   command->add_flag("--missing", request->missing, "Only presets that have no picture yet");
   command->add_flag("--quiet", request->quiet, "Print nothing but errors");
   command->callback([&action, request] { action = [request] { return make_gallery(*request); }; });
