@@ -4,9 +4,9 @@
 
 #include "app/command.h"
 #include "app/presets.h"
-#include "app/run_setup.h"
 #include "app/text_table.h"
 #include "io/config_file.h"
+#include "io/start_simulation.h"
 #include "models/model.h"
 
 namespace erg {

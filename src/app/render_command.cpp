@@ -10,6 +10,7 @@
 #include "app/run_setup.h"
 #include "io/config_file.h"
 #include "io/image.h"
+#include "io/start_simulation.h"
 #include "render/gl_context.h"
 
 namespace erg {
@@ -48,16 +49,6 @@ bool grow(const RenderRequest& request, Simulation& simulation) {
   return true;
 }
 
-MetadataEntries provenance_of(Simulation& simulation) {
-  const Config& config = simulation.config();
-  return metadata({.config = config_text(config),
-                   .seed = static_cast<std::uint64_t>(config.run.integer("seed")),
-                   .step = simulation.step_count(),
-                   .model = config.model,
-                   .version = ERG_VERSION,
-                   .executor = simulation.executor().name()});
-}
-
 ExitCode render(const RenderRequest& request) {
   Simulation simulation = start(request);
   const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);
@@ -72,7 +63,7 @@ ExitCode render(const RenderRequest& request) {
   const PicturePlan plan = plan_picture(request.picture, run.view());
   const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
   for (const std::string& note : picture.notes) std::cerr << "note: " << note << "\n";
-  const MetadataEntries entries = provenance_of(simulation);
+  const MetadataEntries entries = metadata(provenance_of(simulation));
   if (plan.look.transparent) {
     write_png(request.out, picture.image, entries);
   } else {

@@ -1,16 +1,13 @@
 #include "app/run_output.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <utility>
 
-#include "analysis/morphometry.h"
-#include "analysis/spectrum.h"
 #include "io/checkpoint.h"
-#include "io/config_file.h"
 #include "io/heightmap.h"
 #include "io/picture.h"
+#include "io/start_simulation.h"
 #include "io/vti.h"
 #include "wind/shadow.h"
 
@@ -19,10 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> table_columns{"step",       "wind_bearing",  "wind_strength", "max_slabs",
-                                             "mean_slabs", "sd_slabs",      "bare_fraction", "shadow_fraction",
-                                             "wavelength", "crest_bearing", "mass_now",      "mass_in",
-                                             "mass_out",   "lifts",         "polls",         "flux"};
+std::vector<std::string> table_columns() {
+  std::vector<std::string> keys;
+  for (const RunNumber& number : run_numbers()) keys.push_back(number.key);
+  return keys;
+}
 
 void make_folder(const fs::path& folder) {
   std::error_code failed;
@@ -44,32 +42,19 @@ RunOutput::RunOutput(fs::path folder, std::string name, std::vector<std::string>
       name_(std::move(name)),
       formats_(std::move(formats)),
       simulation_(simulation),
-      last_totals_(simulation.totals()),
-      last_row_step_(simulation.step_count()) {
+      meter_(simulation.totals(), simulation.step_count()) {
   make_folder(folder_);
   if (!wants("csv")) return;
   const fs::path path = folder_ / (name_ + ".csv");
   const std::int64_t step = simulation_.step_count();
   table_ = std::make_unique<TableFile>(
-      step > 0 ? TableFile::resume(path, table_columns, provenance(), static_cast<double>(step))
-               : TableFile(path, table_columns, provenance()));
+      step > 0 ? TableFile::resume(path, table_columns(), provenance_of(simulation_), static_cast<double>(step))
+               : TableFile(path, table_columns(), provenance_of(simulation_)));
   files_.push_back(path);
 }
 
 bool RunOutput::wants(const std::string& format) const {
   return std::find(formats_.begin(), formats_.end(), format) != formats_.end();
-}
-
-Provenance RunOutput::provenance() {
-  const Config& config = simulation_.config();
-  const int threads = simulation_.executor().threads();
-  return {.config = config_text(config),
-          .seed = static_cast<std::uint64_t>(config.run.integer("seed")),
-          .step = simulation_.step_count(),
-          .model = config.model,
-          .version = ERG_VERSION,
-          .executor =
-              simulation_.executor().name() + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads")};
 }
 
 fs::path RunOutput::numbered(const std::string& ending) const {
@@ -79,40 +64,12 @@ fs::path RunOutput::numbered(const std::string& ending) const {
 }
 
 void RunOutput::add_row() {
-  if (table_ == nullptr) return;
-  const Terrain& terrain = simulation_.terrain();
-  const WindNow wind = simulation_.last_wind();
-  const Morphometry shape = measure(terrain);
-  const double shadow =
-      shadow_fraction(shadow_map(terrain, wind.bearing, simulation_.model().shadow_fall(terrain.cell_size())));
-  const SpectrumNumbers spectrum = measure_spectrum(coarse_surface(terrain, Layer::surface));
-  const StepReport& totals = simulation_.totals();
-  const std::int64_t steps = simulation_.step_count() - last_row_step_;
-  const auto cell_steps = static_cast<double>(terrain.extent().cells()) * static_cast<double>(steps);
-  const std::array<double, 16> row{static_cast<double>(simulation_.step_count()),
-                                   wind.bearing,
-                                   wind.strength,
-                                   static_cast<double>(shape.max_slabs),
-                                   shape.mean_slabs,
-                                   shape.sd_slabs,
-                                   shape.bare_fraction,
-                                   shadow,
-                                   spectrum.wavelength,
-                                   spectrum.crest_bearing,
-                                   static_cast<double>(terrain.total_mobile()),
-                                   static_cast<double>(terrain.ledger().in),
-                                   static_cast<double>(terrain.ledger().out),
-                                   static_cast<double>(totals.lifts - last_totals_.lifts),
-                                   static_cast<double>(totals.polls - last_totals_.polls),
-                                   cell_steps > 0 ? (totals.travel - last_totals_.travel) / cell_steps : 0};
-  table_->add(row);
-  last_totals_ = totals;
-  last_row_step_ = simulation_.step_count();
+  if (table_ != nullptr) table_->add(meter_.take(simulation_));
 }
 
 void RunOutput::write_state() {
   const Terrain& terrain = simulation_.terrain();
-  const Provenance source = provenance();
+  const Provenance source = provenance_of(simulation_);
   if (wants("png")) {
     PictureOptions options;
     options.wind = simulation_.last_wind();

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/provenance.h"
+#include "io/run_numbers.h"
 #include "io/table.h"
 #include "sim/simulation.h"
 
@@ -35,7 +35,6 @@ class RunOutput {
 
  private:
   bool wants(const std::string& format) const;
-  Provenance provenance();
   std::filesystem::path numbered(const std::string& ending) const;
 
   std::filesystem::path folder_;
@@ -43,8 +42,7 @@ class RunOutput {
   std::vector<std::string> formats_;
   Simulation& simulation_;
   std::unique_ptr<TableFile> table_;
-  StepReport last_totals_;
-  std::int64_t last_row_step_;
+  RunMeter meter_;
   std::vector<std::filesystem::path> files_;
 };
 

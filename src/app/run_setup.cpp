@@ -6,7 +6,7 @@
 #include "app/presets.h"
 #include "io/checkpoint.h"
 #include "io/config_file.h"
-#include "io/heightmap.h"
+#include "io/start_simulation.h"
 
 namespace erg {
 namespace {
@@ -58,16 +58,6 @@ void check_steps_left(const Config& config, std::int64_t done, const std::string
 }
 
 }  // namespace
-
-std::optional<HeightPicture> read_scene_picture(const Config& config) {
-  if (config.scene.text("kind") != "image") return std::nullopt;
-  return read_height_picture(config.scene.text("image"));
-}
-
-Simulation start_simulation(const Config& config) {
-  const std::optional<HeightPicture> picture = read_scene_picture(config);
-  return Simulation(config, picture ? &*picture : nullptr);
-}
 
 Simulation start_simulation(const RunRequest& request) {
   if (request.resume.empty()) {

@@ -3,11 +3,9 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "sim/scene.h"
 #include "sim/simulation.h"
 
 namespace erg {
@@ -26,13 +24,6 @@ struct RunRequest {
   bool hash = false;
   bool quiet = false;
 };
-
-/// The decoded picture of an *image* scene; nothing for all other kinds. Throws InputError for a missing or damaged
-/// file.
-std::optional<HeightPicture> read_scene_picture(const Config& config);
-
-/// Builds the scene of a config, reading its picture if it has one.
-Simulation start_simulation(const Config& config);
 
 /// The simulation that the request describes, at its first step or where its checkpoint stands. Throws InputError with
 /// all mistakes of config and options.

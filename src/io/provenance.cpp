@@ -1,6 +1,19 @@
 #include "io/provenance.h"
 
+#include "io/config_file.h"
+
 namespace erg {
+
+std::string program_version() { return ERG_VERSION; }
+
+Provenance provenance_of(const Config& config, std::int64_t step, const std::string& executor, int threads) {
+  return {.config = config_text(config),
+          .seed = static_cast<std::uint64_t>(config.run.integer("seed")),
+          .step = step,
+          .model = config.model,
+          .version = program_version(),
+          .executor = executor + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads")};
+}
 
 MetadataEntries metadata(const Provenance& provenance) {
   return {{"erg:version", provenance.version},           {"erg:model", provenance.model},

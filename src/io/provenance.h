@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/config.h"
+
 namespace erg {
 
 struct Provenance {
@@ -16,6 +18,12 @@ struct Provenance {
   std::string version;    ///< of the program
   std::string executor;   ///< "cpu, 2 threads"
 };
+
+/// The version of this program.
+std::string program_version();
+
+/// The provenance of a run of this config after `step` steps.
+Provenance provenance_of(const Config& config, std::int64_t step, const std::string& executor, int threads);
 
 /// Names and texts to write into a file, in order.
 using MetadataEntries = std::vector<std::pair<std::string, std::string>>;

@@ -26,7 +26,7 @@ const std::vector<ExportFormat>& export_formats();
 
 /// Writes one run of a snapshot. Throws InputError. `go_on` is told the part done, 0 to 1; when it says false the
 /// writing stops with StoppedExport and leaves no file.
-void export_run(const std::filesystem::path& path, const std::string& format, const RunView& run,
+void export_run(const std::filesystem::path& path, const std::string& format, const RunSnapshot& run,
                 const std::function<bool(double)>& go_on);
 
 /// The writing was stopped.

@@ -57,10 +57,12 @@ class Lockstep {
  private:
   struct Edit {
     std::uint64_t stroke = 0;  ///< 0: a reset
-    Moment before;
+    std::int64_t step = 0;
+    Moment state;
   };
   void remember(std::uint64_t stroke);
   void forget_edits();
+  bool swap_with(std::deque<Edit>& from, std::deque<Edit>& to);
   void take(std::vector<std::unique_ptr<Simulation>> runs);
 
   std::vector<std::unique_ptr<Simulation>> runs_;

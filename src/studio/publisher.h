@@ -24,9 +24,13 @@ class Publisher {
   /// Whether it is time for the next picture of a running run: 30 times a second at most, and never so often that
   /// making snapshots takes more than a fifth of the worker's time.
   bool due(Clock::time_point now) const { return now >= next_; }
-  /// Notes a step done: `polls` of all runs. Takes the numbers of the runs when a row of their series is due.
-  void stepped(Lockstep& runs, std::int64_t polls);
-  /// The runs were made, changed, painted on or taken back: their terrains are not what was shown.
+  Clock::time_point next() const { return next_; }
+  /// The runs are other ones than before.
+  void made_anew(Lockstep& runs);
+  /// Notes a step done: `polls` of all runs and what it took. Takes the runs' numbers when a row of their series is
+  /// due.
+  void stepped(Lockstep& runs, std::int64_t polls, Clock::duration time);
+  /// The runs were changed, painted on or taken back: they are not what was shown.
   void touched(Lockstep& runs);
   /// Fills in `runs` and the rates; terrains that did not change since are shared with the last snapshot.
   void fill(Snapshot& snapshot, Lockstep& runs, bool running);

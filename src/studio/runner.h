@@ -74,23 +74,28 @@ class Runner {
   void watch_shadow(bool wanted);
 
  private:
-  using Command = std::function<void(Runner&)>;
+  using Clock = std::chrono::steady_clock;
+  using Command = std::function<void()>;  // carried out on the worker's thread
 
   void give(Command command);
   void work();
   bool take_commands();
+  void wait_for_work(std::unique_lock<std::mutex>& lock);
   void carry_out(const Command& command);
+  void start(std::int64_t goal);
+  void step_once();
   void step_on();
+  void make(const std::function<void()>& build);
+  void edit(const std::function<void()>& change);
+  void settle();
   void fail(const std::string& what);
-  void settle_activity();
-  void pause_now();
-  std::chrono::steady_clock::time_point next_step_time() const;
+  void publish();
 
   Log& log_;
 
-  // Shared, under mutex_: the queue.
+  // Shared, under mutex_. It is held for the moment of a swap only.
   mutable std::mutex mutex_;
-  mutable std::condition_variable wake_;
+  std::condition_variable given_something_;
   mutable std::condition_variable published_;
   std::deque<Command> queue_;
   std::uint64_t given_ = 0;
@@ -102,11 +107,14 @@ class Runner {
   Publisher publisher_;
   Activity activity_ = Activity::empty;
   std::string message_;
+  bool unshown_ = false;  // steps were done that no snapshot shows
   std::uint64_t done_ = 0;
+  std::uint64_t snapshots_ = 0;
+  std::uint64_t creations_ = 0;
   double speed_limit_ = 0;
   std::int64_t goal_start_ = 0;
   std::int64_t goal_ = -1;
-  std::chrono::steady_clock::time_point last_step_{};
+  Clock::time_point next_step_{};
 
   std::thread thread_;
 };

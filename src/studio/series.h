@@ -33,6 +33,8 @@ class Series {
   std::vector<double> column(std::size_t column) const;
 
  private:
+  void thin_out();
+
   std::int64_t stride_ = 1;
   std::size_t rows_ = 0;
   std::vector<double> values_;

@@ -30,7 +30,7 @@ enum class Activity {
 std::string to_string(Activity activity);
 
 /// One run as it stands. Never null: config, terrain, series.
-struct RunView {
+struct RunSnapshot {
   std::shared_ptr<const Config> config;
   std::shared_ptr<const Terrain> terrain;
   /// Differs whenever the terrain differs, over all runs and snapshots of a Runner; never 0. For TerrainView::version.
@@ -60,14 +60,14 @@ struct RunView {
 struct Snapshot {
   std::uint64_t number = 0;  ///< grows with each snapshot
   Activity activity = Activity::empty;
-  std::string message;          ///< why it is finished or failed; else empty
-  std::vector<RunView> runs;    ///< none before the first create; two to four when comparing
-  double steps_per_second = 0;  ///< measured over the last second or so; 0 unless running
-  double polls_per_second = 0;  ///< the same, of all runs together
-  double speed_limit = 0;       ///< steps a second that were asked for; 0: unlimited
-  std::int64_t goal_start = 0;  ///< step at which "run N steps" began
-  std::int64_t goal = -1;       ///< step at which it pauses; -1: none
-  std::size_t undo_count = 0;   ///< how many edits can be undone
+  std::string message;            ///< why it is finished or failed; else empty
+  std::vector<RunSnapshot> runs;  ///< none before the first create; two to four when comparing
+  double steps_per_second = 0;    ///< measured over the last second or so; 0 unless running
+  double polls_per_second = 0;    ///< the same, of all runs together
+  double speed_limit = 0;         ///< steps a second that were asked for; 0: unlimited
+  std::int64_t goal_start = 0;    ///< step at which "run N steps" began
+  std::int64_t goal = -1;         ///< step at which it pauses; -1: none
+  std::size_t undo_count = 0;     ///< how many edits can be undone
   std::size_t redo_count = 0;
   std::uint64_t commands_done = 0;  ///< commands carried out, see Runner::commands_given
   std::uint64_t creations = 0;      ///< grows whenever the terrain was made anew: create, resume, reset

@@ -1,0 +1,97 @@
+#include "studio/brush.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/errors.h"
+#include "transport/executor.h"
+
+namespace erg {
+namespace {
+
+/// A cell that the dab touches, with what it adds.
+struct Touch {
+  std::size_t cell = 0;
+  std::int32_t amount = 0;
+};
+
+/// (1 - (d/r)^2)^2: 1 in the middle, level there and at the rim.
+double falloff(double squared_distance, double radius) {
+  const double rest = 1 - squared_distance / (radius * radius);
+  return rest > 0 ? rest * rest : 0;
+}
+
+/// First and last index of cells along one side that the dab may reach; on a torus each cell once.
+struct Reach {
+  int first = 0;
+  int last = 0;
+};
+
+Reach reach(double middle, double radius, int count, bool torus) {
+  const double nearest = std::clamp(middle, -2.0 * largest_side, 2.0 * largest_side);
+  Reach cells{static_cast<int>(std::floor(nearest - radius)), static_cast<int>(std::ceil(nearest + radius))};
+  if (!torus) return {std::max(cells.first, 0), std::min(cells.last, count - 1)};
+  if (cells.last - cells.first + 1 > count) {
+    cells.first = static_cast<int>(std::floor(nearest)) - count / 2;
+    cells.last = cells.first + count - 1;
+  }
+  return cells;
+}
+
+std::vector<Touch> touches(const Terrain& terrain, const Dab& dab) {
+  std::vector<Touch> found;
+  const bool torus = terrain.boundary() == Boundary::torus;
+  const Reach columns = reach(dab.x, dab.radius, terrain.nx(), torus);
+  const Reach rows = reach(dab.y, dab.radius, terrain.ny(), torus);
+  for (int y = rows.first; y <= rows.last; ++y) {
+    for (int x = columns.first; x <= columns.last; ++x) {
+      const double dx = x + 0.5 - dab.x;
+      const double dy = y + 0.5 - dab.y;
+      const auto amount = static_cast<std::int32_t>(std::lround(dab.amount * falloff(dx * dx + dy * dy, dab.radius)));
+      if (amount == 0) continue;
+      found.push_back({terrain.mobile().index(wrap(x, terrain.nx()), wrap(y, terrain.ny())), amount});
+    }
+  }
+  return found;
+}
+
+void check(const Dab& dab) {
+  if (!(dab.radius >= smallest_brush && dab.radius <= largest_brush)) {
+    throw InputError("brush", "the radius is out of range", "give 0.5 to 512 cells");
+  }
+  if (std::abs(static_cast<std::int64_t>(dab.amount)) > highest_terrain) {
+    throw InputError("brush", "the amount is out of range", "give at most 40000 slabs");
+  }
+}
+
+}  // namespace
+
+bool apply_dab(Terrain& terrain, const Dab& dab) {
+  check(dab);
+  const std::vector<Touch> touched = touches(terrain, dab);
+  const bool sand = dab.material == BrushMaterial::sand;
+  const Grid<std::int32_t>& before = sand ? terrain.mobile() : terrain.bedrock();
+  std::vector<std::int32_t> old(touched.size());
+  std::vector<std::int32_t> wanted(touched.size());
+  for (std::size_t i = 0; i < touched.size(); ++i) {
+    old[i] = before[touched[i].cell];
+    wanted[i] = old[i] + touched[i].amount;
+    if (sand) wanted[i] = std::max(wanted[i], 0);
+  }
+  if (wanted == old) return false;
+  const auto write = [&](const std::vector<std::int32_t>& values) {
+    Grid<std::int32_t>& layer = sand ? terrain.edit_mobile() : terrain.edit_bedrock();
+    for (std::size_t i = 0; i < touched.size(); ++i) layer[touched[i].cell] = values[i];
+  };
+  write(wanted);
+  try {
+    check_height(terrain);
+  } catch (const InputError&) {
+    write(old);
+    throw;
+  }
+  return true;
+}
+
+}  // namespace erg

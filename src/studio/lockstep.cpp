@@ -1,0 +1,156 @@
+#include "studio/lockstep.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/errors.h"
+#include "io/start_simulation.h"
+
+namespace erg {
+namespace {
+
+/// What may be kept for undo, in bytes. At least one edit is kept, however large its terrain.
+constexpr std::size_t most_undo_bytes = std::size_t{1} << 29;
+constexpr std::size_t most_edits = 200;
+
+std::size_t bytes_of(const Lockstep::Moment& moment) {
+  std::size_t bytes = 0;
+  for (const auto& saved : moment) {
+    const Terrain& terrain = saved->state.terrain;
+    bytes += terrain.extent().cells() * (2 * sizeof(std::int32_t) + terrain.fields().size() * sizeof(float));
+  }
+  return bytes;
+}
+
+template <typename Things, typename Wind>
+void check_together(const Things& things, const Wind& wind_of) {
+  if (things.empty()) throw InputError("", "there is nothing to create", "set up a run first");
+  if (things.size() > most_runs) throw InputError("", "too many runs", "compare at most four");
+  for (const auto& thing : things) {
+    if (wind_of(thing) == wind_of(things.front())) continue;
+    throw InputError("", "the runs have different winds", "runs that are compared need the same wind");
+  }
+}
+
+}  // namespace
+
+bool Lockstep::finished() const {
+  return !empty() && std::ranges::all_of(runs_, [](const auto& run) { return run->finished(); });
+}
+
+std::string Lockstep::why_finished() const { return empty() ? "" : runs_.front()->totals().why_finished; }
+
+void Lockstep::take(std::vector<std::unique_ptr<Simulation>> runs) {
+  runs_ = std::move(runs);
+  beginning_ = moment();
+}
+
+void Lockstep::create(const std::vector<Config>& configs) {
+  check_together(configs, [](const Config& config) { return config.wind; });
+  std::vector<std::unique_ptr<Simulation>> runs;
+  for (const Config& config : configs) runs.push_back(std::make_unique<Simulation>(start_simulation(config)));
+  take(std::move(runs));
+  forget_edits();
+}
+
+void Lockstep::resume(std::vector<Saved> saved) {
+  check_together(saved, [](const Saved& one) { return one.config.wind; });
+  std::vector<std::unique_ptr<Simulation>> runs;
+  for (Saved& one : saved) {
+    if (one.state.step != saved.front().state.step) {
+      throw InputError("", "the runs stand at different steps", "resume runs that were saved together");
+    }
+  }
+  for (Saved& one : saved) {
+    runs.push_back(std::make_unique<Simulation>(std::move(one.config), std::move(one.state)));
+  }
+  take(std::move(runs));
+  forget_edits();
+}
+
+void Lockstep::reset() {
+  if (empty()) return;
+  remember(0);
+  // The runs go on under what they are set to now, where that needs no new terrain.
+  go_to(beginning_);
+}
+
+Lockstep::Moment Lockstep::moment() const {
+  Moment now;
+  for (const auto& run : runs_) now.push_back(std::make_shared<const Saved>(Saved{run->config(), run->state()}));
+  return now;
+}
+
+void Lockstep::go_to(const Moment& moment) {
+  std::vector<std::unique_ptr<Simulation>> runs;
+  for (const auto& saved : moment) runs.push_back(std::make_unique<Simulation>(saved->config, saved->state));
+  runs_ = std::move(runs);
+}
+
+std::int64_t Lockstep::step() {
+  std::int64_t polls = 0;
+  for (const auto& run : runs_) polls += run->step().polls;
+  return polls;
+}
+
+void Lockstep::change(const std::vector<Config>& configs) {
+  if (configs.size() != size()) throw InputError("", "other runs than there are", "create them anew");
+  check_together(configs, [](const Config& config) { return config.wind; });
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (needs_new_terrain(runs_[i]->config(), configs[i])) {
+      throw InputError("", "this change needs a new terrain", "press CREATE");
+    }
+  }
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (runs_[i]->config() != configs[i]) runs_[i]->change(configs[i]);
+  }
+}
+
+void Lockstep::paint(std::size_t run, const Dab& dab, std::uint64_t stroke) {
+  if (run >= size()) throw InputError("brush", "there is no such run", "create a terrain first");
+  const bool new_stroke = undo_.empty() || undo_.back().stroke != stroke || undo_.back().step != step_count();
+  if (new_stroke) remember(stroke);
+  bool changed = false;
+  try {
+    changed = apply_dab(runs_[run]->edit_terrain(), dab);
+  } catch (const InputError&) {
+    if (new_stroke) undo_.pop_back();
+    throw;
+  }
+  if (changed) {
+    runs_[run]->book_edit();
+    redo_.clear();
+  } else if (new_stroke) {
+    undo_.pop_back();
+  }
+}
+
+void Lockstep::remember(std::uint64_t stroke) {
+  undo_.push_back({stroke, step_count(), moment()});
+  const auto too_much = [this] {
+    std::size_t bytes = 0;
+    for (const Edit& edit : undo_) bytes += bytes_of(edit.state);
+    return undo_.size() > most_edits || bytes > most_undo_bytes;
+  };
+  while (undo_.size() > 1 && too_much()) undo_.pop_front();
+}
+
+void Lockstep::forget_edits() {
+  undo_.clear();
+  redo_.clear();
+}
+
+bool Lockstep::undo() { return swap_with(undo_, redo_); }
+
+bool Lockstep::redo() { return swap_with(redo_, undo_); }
+
+bool Lockstep::swap_with(std::deque<Edit>& from, std::deque<Edit>& to) {
+  if (from.empty()) return false;
+  Edit present{from.back().stroke, step_count(), moment()};
+  go_to(from.back().state);
+  from.pop_back();
+  to.push_back(std::move(present));
+  return true;
+}
+
+}  // namespace erg

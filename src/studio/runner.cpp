@@ -1,0 +1,278 @@
+#include "studio/runner.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace erg {
+
+Runner::Runner(Log& log) : log_(log), newest_(std::make_shared<const Snapshot>()), thread_([this] { work(); }) {}
+
+Runner::~Runner() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  given_something_.notify_all();
+  thread_.join();
+}
+
+// -- what the window reads --
+
+std::shared_ptr<const Snapshot> Runner::snapshot() const {
+  const std::lock_guard lock(mutex_);
+  return newest_;
+}
+
+std::uint64_t Runner::commands_given() const {
+  const std::lock_guard lock(mutex_);
+  return given_;
+}
+
+void Runner::wait_for_commands() const {
+  std::unique_lock lock(mutex_);
+  published_.wait(lock, [&, given = given_] { return newest_->commands_done >= given; });
+}
+
+void Runner::wait_until_still() const {
+  std::unique_lock lock(mutex_);
+  published_.wait(
+      lock, [&, given = given_] { return newest_->commands_done >= given && newest_->activity != Activity::running; });
+}
+
+// -- commands --
+
+void Runner::give(Command command) {
+  {
+    const std::lock_guard lock(mutex_);
+    queue_.push_back(std::move(command));
+    ++given_;
+  }
+  given_something_.notify_one();
+}
+
+void Runner::create(std::vector<Config> configs) {
+  give([this, configs = std::move(configs)] { make([&] { runs_.create(configs); }); });
+}
+
+void Runner::resume(std::vector<Saved> saved) {
+  give([this, saved = std::move(saved)]() mutable { make([&] { runs_.resume(std::move(saved)); }); });
+}
+
+void Runner::reset() {
+  give([this] {
+    if (!runs_.empty()) make([this] { runs_.reset(); });
+  });
+}
+
+void Runner::play() {
+  give([this] { start(-1); });
+}
+
+void Runner::pause() {
+  give([this] {
+    goal_ = -1;
+    if (activity_ == Activity::running) activity_ = Activity::paused;
+  });
+}
+
+void Runner::step() {
+  give([this] {
+    start(-1);
+    if (activity_ != Activity::running) return;
+    step_once();
+    if (activity_ == Activity::running) activity_ = Activity::paused;
+  });
+}
+
+void Runner::run(std::int64_t steps) {
+  give([this, steps] {
+    if (steps > 0) start(runs_.step_count() + steps);
+  });
+}
+
+void Runner::set_speed(double steps_per_second) {
+  give([this, steps_per_second] {
+    speed_limit_ = steps_per_second > 0 ? steps_per_second : 0;
+    next_step_ = Clock::now();
+  });
+}
+
+void Runner::change(std::vector<Config> configs) {
+  give([this, configs = std::move(configs)] { edit([&] { runs_.change(configs); }); });
+}
+
+void Runner::paint(std::size_t run, const Dab& dab, std::uint64_t stroke) {
+  give([this, run, dab, stroke] { edit([&] { runs_.paint(run, dab, stroke); }); });
+}
+
+void Runner::undo() {
+  give([this] { edit([this] { runs_.undo(); }); });
+}
+
+void Runner::redo() {
+  give([this] { edit([this] { runs_.redo(); }); });
+}
+
+void Runner::watch_shadow(bool wanted) {
+  give([this, wanted] { publisher_.watch_shadow(wanted); });
+}
+
+// -- the worker --
+
+void Runner::work() {
+  while (take_commands()) {
+    if (activity_ == Activity::running && Clock::now() >= next_step_) step_on();
+    if (unshown_ && publisher_.due(Clock::now())) publish();
+  }
+}
+
+/// Waits while there is nothing to do, then carries out what was given. False when it is time to stop.
+bool Runner::take_commands() {
+  std::deque<Command> commands;
+  {
+    std::unique_lock lock(mutex_);
+    wait_for_work(lock);
+    if (stopping_) return false;
+    commands.swap(queue_);
+  }
+  for (const Command& command : commands) carry_out(command);
+  if (!commands.empty()) publish();
+  return true;
+}
+
+void Runner::wait_for_work(std::unique_lock<std::mutex>& lock) {
+  const auto given = [this] { return stopping_ || !queue_.empty(); };
+  if (activity_ != Activity::running) return given_something_.wait(lock, given);
+  const Clock::time_point until = unshown_ ? std::min(next_step_, publisher_.next()) : next_step_;
+  if (until > Clock::now()) given_something_.wait_until(lock, until, given);
+}
+
+void Runner::carry_out(const Command& command) {
+  try {
+    command();
+  } catch (const InputError& error) {
+    log_.mistakes(error);
+  } catch (const std::exception& error) {
+    log_.error(std::string("this could not be done: ") + error.what());
+  }
+  ++done_;
+}
+
+/// Begins to run, to step `goal` or, where that is negative, on and on.
+void Runner::start(std::int64_t goal) {
+  if (runs_.empty()) throw InputError("", "there is nothing to run yet", "create a terrain first");
+  goal_start_ = runs_.step_count();
+  goal_ = goal;
+  if (activity_ == Activity::running) return;
+  if (runs_.finished()) return;
+  activity_ = Activity::running;
+  message_.clear();
+  next_step_ = Clock::now();
+  publisher_.start_rates();
+}
+
+void Runner::step_on() {
+  const Clock::time_point due = next_step_;
+  step_once();
+  if (speed_limit_ > 0) {
+    // One step after the other at even intervals; what a slow step has lost is not caught up.
+    const auto interval = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / speed_limit_));
+    next_step_ = std::max(due + interval, Clock::now());
+  }
+  if (activity_ != Activity::running) publish();
+}
+
+void Runner::step_once() {
+  const Clock::time_point begin = Clock::now();
+  try {
+    const std::int64_t polls = runs_.step();
+    publisher_.stepped(runs_, polls, Clock::now() - begin);
+    unshown_ = true;
+  } catch (const std::exception& error) {
+    return fail(error.what());
+  }
+  if (goal_ >= 0 && runs_.step_count() >= goal_) {
+    activity_ = Activity::paused;
+    goal_ = -1;
+  }
+  settle();
+}
+
+/// Makes runs anew; when that fails the runs that were there stay.
+void Runner::make(const std::function<void()>& build) {
+  const Activity before = activity_;
+  activity_ = Activity::building;
+  publish();
+  try {
+    build();
+  } catch (...) {
+    activity_ = before;
+    throw;
+  }
+  publisher_.made_anew(runs_);
+  ++creations_;
+  activity_ = Activity::paused;
+  message_.clear();
+  goal_ = -1;
+  settle();
+}
+
+/// Changes the runs that are there.
+void Runner::edit(const std::function<void()>& change) {
+  change();
+  publisher_.touched(runs_);
+  if (activity_ == Activity::failed) activity_ = Activity::paused;
+  settle();
+}
+
+/// Finds out whether all runs have come to their end, or can go on again.
+void Runner::settle() {
+  if (runs_.finished()) {
+    activity_ = Activity::finished;
+    message_ = runs_.why_finished();
+    goal_ = -1;
+  } else if (activity_ == Activity::finished) {
+    activity_ = Activity::paused;
+    message_.clear();
+  }
+}
+
+/// A step failed half way: what the last snapshot shows is whole, so the runs go back to it.
+void Runner::fail(const std::string& what) {
+  activity_ = Activity::failed;
+  message_ = what;
+  goal_ = -1;
+  log_.error("a step failed: " + what);
+  const std::shared_ptr<const Snapshot> whole = snapshot();
+  Lockstep::Moment moment;
+  for (const RunSnapshot& run : whole->runs) {
+    moment.push_back(std::make_shared<const Saved>(Saved{*run.config, run.state()}));
+  }
+  runs_.go_to(moment);
+  publisher_.touched(runs_);
+  log_.information("the runs stand as they were after step " + std::to_string(whole->step()));
+}
+
+void Runner::publish() {
+  auto next = std::make_shared<Snapshot>();
+  next->number = ++snapshots_;
+  next->activity = activity_;
+  next->message = message_;
+  next->speed_limit = speed_limit_;
+  next->goal_start = goal_start_;
+  next->goal = goal_;
+  next->undo_count = runs_.undo_count();
+  next->redo_count = runs_.redo_count();
+  next->commands_done = done_;
+  next->creations = creations_;
+  publisher_.fill(*next, runs_, activity_ == Activity::running);
+  unshown_ = false;
+  std::shared_ptr<const Snapshot> shown = std::move(next);
+  {
+    const std::lock_guard lock(mutex_);
+    newest_.swap(shown);
+  }
+  published_.notify_all();
+}
+
+}  // namespace erg

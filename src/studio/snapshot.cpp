@@ -1,0 +1,53 @@
+#include "studio/snapshot.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace erg {
+
+std::string to_string(Activity activity) {
+  switch (activity) {
+    case Activity::empty:
+      return "empty";
+    case Activity::building:
+      return "building";
+    case Activity::paused:
+      return "paused";
+    case Activity::running:
+      return "running";
+    case Activity::finished:
+      return "finished";
+    case Activity::failed:
+      break;
+  }
+  return "failed";
+}
+
+std::string RunSnapshot::executor_text() const {
+  return executor + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
+
+RunState RunSnapshot::state() const { return {*terrain, step, totals}; }
+
+double Snapshot::progress() const {
+  if (goal <= goal_start) return 0;
+  return std::clamp(static_cast<double>(step() - goal_start) / static_cast<double>(goal - goal_start), 0.0, 1.0);
+}
+
+double Snapshot::seconds_left() const {
+  if (goal < 0 || steps_per_second <= 0) return -1;
+  return static_cast<double>(std::max<std::int64_t>(0, goal - step())) / steps_per_second;
+}
+
+std::string clock_text(const Config& config, std::int64_t step) {
+  std::string text = "step " + std::to_string(step);
+  if (config.parameters.find("steps_per_year") != nullptr) {
+    const double years = static_cast<double>(step) / static_cast<double>(config.parameters.integer("steps_per_year"));
+    char year[32];
+    std::snprintf(year, sizeof year, ", year %.1f", years);
+    text += year;
+  }
+  return text;
+}
+
+}  // namespace erg
