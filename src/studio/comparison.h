@@ -51,6 +51,8 @@ class Comparison {
   bool needs_new_terrain(const Snapshot& snapshot) const;
 
  private:
+  Config with_wind(Config config) const;
+
   std::vector<Setup> setups_;
 };
 

@@ -1,0 +1,155 @@
+#include "studio/setup.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+
+namespace erg {
+namespace {
+
+/// Seeds that are drawn stay short enough to be written down.
+constexpr std::int64_t largest_drawn_seed = 999'999'999;
+
+std::int64_t drawn_seed() {
+  std::random_device device;
+  return std::uniform_int_distribution<std::int64_t>(1, largest_drawn_seed)(device);
+}
+
+/// Whether a declared value matters with the others of its group as they are.
+bool is_relevant(const Parameter& parameter, const ParameterValues& values) {
+  if (parameter.only_when.empty()) return true;
+  const std::string& deciding = values.text(parameter.only_when.front());
+  return std::find(parameter.only_when.begin() + 1, parameter.only_when.end(), deciding) != parameter.only_when.end();
+}
+
+/// Groups other than the model's parameters: which of their values are read when the terrain is made.
+bool read_at_start(const std::string& group, const Parameter& parameter) {
+  if (group == "grid" || group == "scene") return true;
+  return group == "run" ? parameter.key == "seed" : parameter.at_start;
+}
+
+const ParameterValues* group_of(const Config& config, const std::string& key) {
+  for (const ConfigGroup& group : config_groups()) {
+    if (group.key == key) return &(config.*group.values);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string SetupRow::tooltip() const {
+  std::string text = parameter->meaning;
+  text += "\nAccepts " + accepted_text(*parameter) + (parameter->unit.empty() ? "" : " " + parameter->unit);
+  text += "; default " + value_text(parameter->standard) + ".";
+  if (!parameter->source.empty()) text += "\nSource: " + parameter->source + ".";
+  text += needs_new_terrain ? "\nTakes effect with CREATE." : "\nTakes effect at the next step.";
+  return text;
+}
+
+std::vector<const ModelType*> Setup::models_of(Material material) {
+  std::vector<const ModelType*> found;
+  for (const ModelType& type : catalogue()) {
+    if (type.info.material == material) found.push_back(&type);
+  }
+  return found;
+}
+
+Material Setup::material() const { return model().info.material; }
+
+void Setup::choose_material(Material material) {
+  if (material == this->material()) return;
+  const std::vector<const ModelType*> models = models_of(material);
+  if (!models.empty()) choose_model(models.front()->info.key);
+}
+
+const ModelType& Setup::model() const { return find_model(config_.model); }
+
+void Setup::choose_model(const std::string& key) { change_model(config_, key); }
+
+std::vector<SetupRow> Setup::rows(const std::string& group, const Config* running) const {
+  std::vector<SetupRow> found;
+  const ParameterValues* values = group_of(config_, group);
+  if (values == nullptr) return found;
+  const ParameterValues* in_force = running != nullptr ? group_of(*running, group) : nullptr;
+  for (const Parameter& parameter : values->declared()) {
+    SetupRow row;
+    row.group = group;
+    row.parameter = &parameter;
+    row.value = values->value(parameter.key);
+    row.changed = !values->is_default(parameter.key);
+    row.relevant = is_relevant(parameter, *values);
+    row.needs_new_terrain = read_at_start(group, parameter);
+    row.pending = in_force != nullptr &&
+                  (in_force->find(parameter.key) == nullptr || in_force->value(parameter.key) != row.value);
+    found.push_back(std::move(row));
+  }
+  return found;
+}
+
+ParameterValues* Setup::group(const std::string& key) {
+  return const_cast<ParameterValues*>(group_of(config_, key));
+}
+
+std::optional<Mistake> Setup::set(const std::string& group, const std::string& key, const ParameterValue& value) {
+  ParameterValues* values = this->group(group);
+  if (values == nullptr) return Mistake{group, "there is no such group", ""};
+  try {
+    values->set(key, value);
+  } catch (const InputError& error) {
+    return error.mistakes().front();
+  }
+  return std::nullopt;
+}
+
+std::optional<Mistake> Setup::set_text(const std::string& group, const std::string& key, std::string_view text) {
+  const ParameterValues* values = this->group(group);
+  const Parameter* parameter = values == nullptr ? nullptr : values->find(key);
+  if (parameter == nullptr) return Mistake{group + "." + key, "there is no such value", ""};
+  try {
+    return set(group, key, parse_value(*parameter, text, parameter->label));
+  } catch (const InputError& error) {
+    return error.mistakes().front();
+  }
+}
+
+void Setup::reset(const std::string& group, const std::string& key) {
+  ParameterValues* values = this->group(group);
+  if (values == nullptr) return;
+  if (const Parameter* parameter = values->find(key)) values->set(key, parameter->standard);
+}
+
+void Setup::reset_all() {
+  Config fresh(config_.model);
+  fresh.title = config_.title;
+  fresh.description = config_.description;
+  config_ = std::move(fresh);
+  fresh_seed_ = false;
+}
+
+std::vector<std::string> Setup::explanations() const {
+  return model().explain(config_.parameters, config_.grid.real("cell_size"));
+}
+
+std::vector<Mistake> Setup::mistakes() const {
+  std::vector<Mistake> found;
+  if (config_.scene.text("kind") == "image") {
+    const std::string& image = config_.scene.text("image");
+    std::error_code failed;
+    if (image.empty()) {
+      found.push_back({"Scene", "no picture is chosen", "choose one, or another scene"});
+    } else if (!std::filesystem::is_regular_file(image, failed)) {
+      found.push_back({"Scene", "there is no picture " + in_quotes(image), "choose another"});
+    }
+  }
+  return found;
+}
+
+bool Setup::needs_new_terrain(const Config& running) const { return erg::needs_new_terrain(running, config_); }
+
+Config Setup::config_to_create() {
+  if (auto found = mistakes(); !found.empty()) throw InputError(std::move(found));
+  if (fresh_seed_) config_.run.set("seed", drawn_seed());
+  return config_;
+}
+
+}  // namespace erg
