@@ -81,7 +81,8 @@ void add_gallery_command(CLI::App& program, Action& action) {
   const auto request = std::make_shared<GalleryRequest>();
   CLI::App* command = program.add_subcommand("gallery", "Draw the presets' pictures for the window's gallery");
   command->add_option("PRESET", request->names, "Presets (default: all of them)");
-  command->add_option("--out", request->out, "Folder in which to make the folder gallery (default: that of the presets)");
+  command->add_option("--out", request->out,
+                      "Folder in which to make the folder gallery (default: that of the presets)");
   command->add_flag("--missing", request->missing, "Only presets that have no picture yet");
   command->add_flag("--quiet", request->quiet, "Print nothing but errors");
   command->callback([&action, request] { action = [request] { return make_gallery(*request); }; });

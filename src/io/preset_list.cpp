@@ -23,6 +23,8 @@ std::vector<Preset> list_presets(const fs::path& folder) {
   return found;
 }
 
-fs::path preset_picture(const fs::path& folder, const std::string& name) { return folder / "gallery" / (name + ".jpg"); }
+fs::path preset_picture(const fs::path& folder, const std::string& name) {
+  return folder / "gallery" / (name + ".jpg");
+}
 
 }  // namespace erg

@@ -1,6 +1,7 @@
 #include "ui/axis_ticks.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -68,9 +69,10 @@ std::string figure_text(double value, int digits) {
   if (value == 0) return "0";
   const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
   if (magnitude >= 9 || magnitude < -4) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*g", digits - 1, value);
-    return text;
+    char text[32];
+    const auto [end, error] =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::general, std::clamp(digits - 1, 1, 15));
+    return {text, end};
   }
   std::string text = fixed_text(value, std::max(0, digits - 1 - std::max(0, magnitude)));
   if (text.find('.') != std::string::npos) {

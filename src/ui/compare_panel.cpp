@@ -42,9 +42,8 @@ void ComparePanel::draw_runs(Studio& studio) {
   for (std::size_t run = 0; run < comparison.size(); ++run) {
     const std::string number = std::to_string(run + 1);
     const bool active = run == studio.active();
-    if (button(("EDIT RUN " + number).c_str(),
-               {.tooltip = "The panel SETUP then shows this run.",
-                .look = active ? ButtonLook::accent : ButtonLook::plain})) {
+    if (button(("EDIT RUN " + number).c_str(), {.tooltip = "The panel SETUP then shows this run.",
+                                                .look = active ? ButtonLook::accent : ButtonLook::plain})) {
       studio.set_active(run);
     }
     ImGui::SameLine();
@@ -63,8 +62,9 @@ void ComparePanel::draw_runs(Studio& studio) {
       break;
     }
   }
-  if (button("ADD A COPY", {.tooltip = "One more run like the one being edited, with the next seed. Change it in SETUP.",
-                            .unavailable = comparison.size() == most_runs ? "Four runs are the most." : ""})) {
+  if (button("ADD A COPY",
+             {.tooltip = "One more run like the one being edited, with the next seed. Change it in SETUP.",
+              .unavailable = comparison.size() == most_runs ? "Four runs are the most." : ""})) {
     if (const auto added = comparison.add_copy_of(studio.active())) studio.set_active(*added);
   }
   ImGui::SameLine();

@@ -102,8 +102,8 @@ void FileBrowser::draw_path_line() {
 
 void FileBrowser::draw_entries() {
   const float below = (asked_about_.empty() ? 2.2f : 3.4f) * ImGui::GetFrameHeightWithSpacing();
-  constexpr ImGuiTableFlags flags =
-      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter | ImGuiTableFlags_SizingStretchProp;
+  constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter |
+                                    ImGuiTableFlags_SizingStretchProp;
   if (!ImGui::BeginTable("files", 3, flags, {0, -below})) return;
   const WidgetScope scope("files");
   ImGui::TableSetupScrollFreeze(0, 1);

@@ -47,8 +47,8 @@ class FileBrowser {
   std::string path_text_;
   std::string filter_;
   std::string name_;
-  std::string refusal_;                    ///< why the last choice was none
-  std::filesystem::path asked_about_;      ///< the file that would be overwritten; empty: no question
+  std::string refusal_;                ///< why the last choice was none
+  std::filesystem::path asked_about_;  ///< the file that would be overwritten; empty: no question
   std::optional<std::filesystem::path> chosen_;
   bool cancelled_ = false;
   bool read_anew_ = false;

@@ -16,9 +16,8 @@ constexpr KeyLine view_keys[] = {{"drag", "turn the view"},
                                  {"wheel", "nearer and farther, to the cursor"},
                                  {"F", "frame all of the land"},
                                  {"1 to 4", "views: top, oblique, block, side"}};
-constexpr KeyLine file_keys[] = {{"G", "gallery"},       {"Ctrl+O", "open"},
-                                 {"Ctrl+S", "save"},     {"Ctrl+E", "export"},
-                                 {"Ctrl+Z", "undo"},     {"Ctrl+Y", "redo"},
+constexpr KeyLine file_keys[] = {{"G", "gallery"},          {"Ctrl+O", "open"},  {"Ctrl+S", "save"},
+                                 {"Ctrl+E", "export"},      {"Ctrl+Z", "undo"},  {"Ctrl+Y", "redo"},
                                  {"F12", "save a picture"}, {"F1", "these keys"}};
 constexpr KeyLine edit_keys[] = {{"Shift while dragging", "curve points and the wind dial snap"},
                                  {"double click on a slider", "type a number"},
@@ -63,7 +62,8 @@ class AboutPanel final : public Panel {
     say("Sand dunes and wind-blown snow, grown on a grid.", Gui::current().theme().text);
     ImGui::Spacing();
     explain(
-        "Heights are whole slabs, so mass is kept exactly; random numbers are a function of seed, step and cell, so the "
+        "Heights are whole slabs, so mass is kept exactly; random numbers are a function of seed, step and cell, so "
+        "the "
         "same seed grows the same dunes on any number of threads.");
     ImGui::Spacing();
     explain("Each model names its publication in the tooltip of SETUP / model. MIT licence.");

@@ -42,19 +42,19 @@ void PaintPanel::choose(const char* label, bool& chosen, bool value, const std::
 }
 
 void PaintPanel::draw_brush(const Studio& studio) {
-  const bool snow = studio.now().has_runs() &&
-                    find_model(studio.now().runs.front().config->model).info.material == Material::snow;
+  const bool snow =
+      studio.now().has_runs() && find_model(studio.now().runs.front().config->model).info.material == Material::snow;
   choose(snow ? "SNOW##mobile" : "SAND##mobile", rock_, false, "What the wind moves.");
   ImGui::SameLine();
   choose("ROCK", rock_, true, "Bedrock, which nothing moves. What lies on it is lifted along.");
   choose("PUT", takes_, false, "Each touch adds.");
   ImGui::SameLine();
   choose("TAKE", takes_, true, "Each touch takes away.");
-  real_row({.label = "radius", .unit = "cells", .tooltip = "From the middle of the brush to its rim."}, radius_, 1, 128);
-  integer_row({.label = "amount",
-               .unit = "slabs",
-               .tooltip = "Slabs at the middle for each touch; fewer toward the rim."},
-              amount_, 1, most_amount);
+  real_row({.label = "radius", .unit = "cells", .tooltip = "From the middle of the brush to its rim."}, radius_, 1,
+           128);
+  integer_row(
+      {.label = "amount", .unit = "slabs", .tooltip = "Slabs at the middle for each touch; fewer toward the rim."},
+      amount_, 1, most_amount);
 }
 
 void PaintPanel::draw_undo(Studio& studio) {

@@ -82,9 +82,7 @@ void widen(AxisRange& range, std::span<const double> values) {
   }
 }
 
-AxisRange nothing_yet() {
-  return {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-}
+AxisRange nothing_yet() { return {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}; }
 
 PlotFrame with_ranges(PlotFrame frame, std::span<const PlotLine> lines) {
   AxisRange x = nothing_yet();
@@ -186,8 +184,8 @@ PlotArea draw_axes(const char* id, const PlotFrame& frame) {
   list.AddLine({area.upper_left.x, area.lower_right.y}, area.lower_right, ImGui::GetColorU32(ImGuiCol_TextDisabled));
   if (!frame.x_label.empty()) {
     const float text = ImGui::CalcTextSize(frame.x_label.c_str()).x;
-    list.AddText({area.lower_right.x - text, area.lower_right.y + gap + line}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                 frame.x_label.c_str());
+    list.AddText({area.lower_right.x - text, area.lower_right.y + gap + line},
+                 ImGui::GetColorU32(ImGuiCol_TextDisabled), frame.x_label.c_str());
   }
   ImGui::Dummy({width, height});
   mark(id, area.upper_left, area.lower_right);

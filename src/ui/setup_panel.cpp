@@ -103,10 +103,11 @@ void SetupPanel::draw_model(Setup& setup) {
 
 void SetupPanel::draw_seed(Setup& setup) {
   bool fresh = setup.fresh_seed();
-  if (switch_row({.label = "fresh seed",
-                  .tooltip = "Draws another seed with each CREATE, so that each terrain is a new one. Off: the same seed "
-                             "gives the same dunes, to the bit."},
-                 fresh) == RowEvent::changed) {
+  if (switch_row(
+          {.label = "fresh seed",
+           .tooltip = "Draws another seed with each CREATE, so that each terrain is a new one. Off: the same seed "
+                      "gives the same dunes, to the bit."},
+          fresh) == RowEvent::changed) {
     setup.set_fresh_seed(fresh);
   }
 }

@@ -66,7 +66,8 @@ double bearing_under_mouse(ImVec2 middle) {
   const ImVec2 mouse = ImGui::GetMousePos();
   const double bearing = fold_bearing(degrees(std::atan2(mouse.x - middle.x, middle.y - mouse.y)));
   constexpr double point = 360.0 / compass_points;
-  return ImGui::GetIO().KeyShift ? fold_bearing(std::round(bearing / point) * point) : fold_bearing(std::round(bearing));
+  return ImGui::GetIO().KeyShift ? fold_bearing(std::round(bearing / point) * point)
+                                 : fold_bearing(std::round(bearing));
 }
 
 /// The outline of a rose: a wedge for each sector.

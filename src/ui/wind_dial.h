@@ -10,8 +10,8 @@ namespace erg {
 /// anywhere on it (with Shift it snaps to the 16 points of the compass). True when the bearing changed.
 bool wind_dial(const char* id, double& bearing, float size);
 
-/// A bearing to be typed: degrees or a point of the compass, with the nearest point shown beside. What cannot be read is
-/// refused with a tooltip and the bearing stays. True when the bearing changed.
+/// A bearing to be typed: degrees or a point of the compass, with the nearest point shown beside. What cannot be read
+/// is refused with a tooltip and the bearing stays. True when the bearing changed.
 bool type_bearing(const char* id, double& bearing);
 
 /// A wind rose: shares of the time that the wind blew from equal sectors, the first around north, then clockwise.

@@ -112,7 +112,8 @@ void WindPanel::draw_list_buttons(WindEditor wind) {
   const bool last_one = wind.seasons() == 1;
   if (button("ADD", {.tooltip = "Another season at the end."})) selected_ = wind.add();
   ImGui::SameLine();
-  if (button("COPY", {.tooltip = "The chosen season once more, right behind it."})) selected_ = wind.duplicate(selected_);
+  if (button("COPY", {.tooltip = "The chosen season once more, right behind it."}))
+    selected_ = wind.duplicate(selected_);
   ImGui::SameLine();
   if (button("REMOVE", {.tooltip = "Takes the chosen season out.",
                         .unavailable = last_one ? "The wind needs one season." : ""})) {
