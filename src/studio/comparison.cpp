@@ -74,6 +74,18 @@ std::vector<Config> Comparison::configs() const {
   return all;
 }
 
+std::vector<Config> Comparison::configs_in_force(const Snapshot& snapshot) const {
+  std::vector<Config> all;
+  for (std::size_t i = 0; i < size(); ++i) all.push_back(setups_[i].in_force_on(*snapshot.runs.at(i).config));
+  // One wind for all; where a run's model is about to change, it blows on as it did in all of them.
+  const bool same_models = std::ranges::equal(setups_, snapshot.runs, [](const Setup& setup, const RunSnapshot& run) {
+    return setup.config().model == run.config->model;
+  });
+  for (Config& config : all)
+    config.wind = same_models ? setups_.front().config().wind : snapshot.runs.front().config->wind;
+  return all;
+}
+
 std::vector<Config> Comparison::configs_to_create() {
   std::vector<Config> all;
   std::vector<Mistake> mistakes;
@@ -106,8 +118,7 @@ std::vector<ComparedNumber> compared_numbers(const Snapshot& snapshot) {
     ComparedNumber row{numbers[column], {}};
     for (const RunSnapshot& run : snapshot.runs) {
       const std::size_t rows = run.series->rows();
-      row.values.push_back(rows == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                     : run.series->value(rows - 1, column));
+      row.values.push_back(rows == 0 ? std::numeric_limits<double>::quiet_NaN() : run.series->value(rows - 1, column));
     }
     table.push_back(std::move(row));
   }

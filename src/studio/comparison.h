@@ -43,8 +43,11 @@ class Comparison {
   WindEditor wind() { return setups_.front().wind(); }
 
   std::vector<SetupDifference> differences() const;
-  /// The configs with the one wind, for what runs already.
+  /// The configs with the one wind.
   std::vector<Config> configs() const;
+  /// For Runner::change: the running configs with all that may take effect without a new terrain. The snapshot must
+  /// have as many runs as there are setups.
+  std::vector<Config> configs_in_force(const Snapshot& snapshot) const;
   /// For Runner::create. Throws InputError with all mistakes, each with the number of its run.
   std::vector<Config> configs_to_create();
   /// Whether CREATE is needed for what differs from the configs that run.

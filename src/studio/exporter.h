@@ -4,12 +4,12 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "io/mesh.h"
 #include "studio/snapshot.h"
 
 namespace erg {
@@ -24,19 +24,17 @@ struct ExportFormat {
 /// All of them, in the order people should meet them.
 const std::vector<ExportFormat>& export_formats();
 
-/// Writes one run of a snapshot. Throws InputError. `go_on` is told the part done, 0 to 1; when it says false the
-/// writing stops with StoppedExport and leaves no file.
+/// Writes one run of a snapshot. Throws InputError, or StoppedWriting when `progress` says to stop; then no file is
+/// left.
 void export_run(const std::filesystem::path& path, const std::string& format, const RunSnapshot& run,
-                const std::function<bool(double)>& go_on);
-
-/// The writing was stopped.
-struct StoppedExport {};
+                const WriteProgress& progress);
 
 /// One export at work on a thread of its own.
 class Export {
  public:
   enum class State { writing, done, stopped, failed };
 
+  /// `run`: index into the snapshot's runs, which must have it.
   Export(std::filesystem::path path, std::string format, std::shared_ptr<const Snapshot> snapshot, std::size_t run);
   /// Stops it and waits.
   ~Export();
@@ -49,6 +47,8 @@ class Export {
   void stop() { stop_ = true; }
 
  private:
+  void write(const std::string& format, const RunSnapshot& run);
+
   std::filesystem::path path_;
   std::string problem_;
   std::atomic<double> progress_{0};

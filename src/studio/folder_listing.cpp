@@ -55,8 +55,8 @@ std::string changed_text(const fs::directory_entry& entry) {
   const fs::file_time_type changed = entry.last_write_time(failed);
   if (failed) return {};
   const auto on_clock = std::chrono::file_clock::to_sys(changed);
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(
-      std::chrono::time_point_cast<std::chrono::system_clock::duration>(on_clock));
+  const std::time_t seconds =
+      std::chrono::system_clock::to_time_t(std::chrono::time_point_cast<std::chrono::system_clock::duration>(on_clock));
   std::tm local{};
   ::localtime_r(&seconds, &local);
   char text[32];

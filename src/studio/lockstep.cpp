@@ -15,8 +15,8 @@ constexpr std::size_t most_edits = 200;
 
 std::size_t bytes_of(const Lockstep::Moment& moment) {
   std::size_t bytes = 0;
-  for (const auto& saved : moment) {
-    const Terrain& terrain = saved->state.terrain;
+  for (const auto& state : moment) {
+    const Terrain& terrain = state->terrain;
     bytes += terrain.extent().cells() * (2 * sizeof(std::int32_t) + terrain.fields().size() * sizeof(float));
   }
   return bytes;
@@ -71,19 +71,21 @@ void Lockstep::resume(std::vector<Saved> saved) {
 void Lockstep::reset() {
   if (empty()) return;
   remember(0);
-  // The runs go on under what they are set to now, where that needs no new terrain.
+  redo_.clear();
   go_to(beginning_);
 }
 
 Lockstep::Moment Lockstep::moment() const {
   Moment now;
-  for (const auto& run : runs_) now.push_back(std::make_shared<const Saved>(Saved{run->config(), run->state()}));
+  for (const auto& run : runs_) now.push_back(std::make_shared<const RunState>(run->state()));
   return now;
 }
 
 void Lockstep::go_to(const Moment& moment) {
   std::vector<std::unique_ptr<Simulation>> runs;
-  for (const auto& saved : moment) runs.push_back(std::make_unique<Simulation>(saved->config, saved->state));
+  for (std::size_t i = 0; i < moment.size(); ++i) {
+    runs.push_back(std::make_unique<Simulation>(runs_[i]->config(), *moment[i]));
+  }
   runs_ = std::move(runs);
 }
 

@@ -19,7 +19,7 @@ inline constexpr std::size_t most_runs = 4;
 class Lockstep {
  public:
   /// The runs' states at one moment.
-  using Moment = std::vector<std::shared_ptr<const Saved>>;
+  using Moment = std::vector<std::shared_ptr<const RunState>>;
 
   bool empty() const { return runs_.empty(); }
   std::size_t size() const { return runs_.size(); }
@@ -34,9 +34,9 @@ class Lockstep {
   void create(const std::vector<Config>& configs);
   /// Goes on from saved states. Throws InputError as create does, and for clocks that differ.
   void resume(std::vector<Saved> saved);
-  /// Back to the first step of what was created or resumed; can be undone.
+  /// Back to where the runs were when created or resumed, under the configs of now; can be undone.
   void reset();
-  /// Exactly this moment again: after a failure, or on undo.
+  /// Exactly this moment again, under the configs of now: after a failure, or on undo.
   void go_to(const Moment& moment);
   /// What go_to needs.
   Moment moment() const;
@@ -50,7 +50,8 @@ class Lockstep {
 
   std::size_t undo_count() const { return undo_.size(); }
   std::size_t redo_count() const { return redo_.size(); }
-  /// Back to before the last stroke or reset. False when there is none.
+  /// Back to exactly what was before the last stroke or reset: terrain, account, clock. What the runs are set to stays.
+  /// False when there is none.
   bool undo();
   bool redo();
 

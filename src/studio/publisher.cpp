@@ -71,7 +71,7 @@ struct Publisher::Lane {
   RunMeter meter;
   Series series;
   bool series_stale = true;
-  Clock::duration stepping{0};  ///< since numbers were last taken
+  Clock::time_point numbers_taken{};
 };
 
 Publisher::Publisher() : pool_(std::make_shared<TerrainPool>()) {}
@@ -98,23 +98,24 @@ void Publisher::touched(Lockstep& runs) {
   }
 }
 
-void Publisher::stepped(Lockstep& runs, std::int64_t polls, Clock::duration time) {
+void Publisher::stepped(Lockstep& runs, std::int64_t polls) {
   ++window_steps_;
   window_polls_ += polls;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    lanes_[i]->stale = true;
-    lanes_[i]->stepping += time;
-    if (lanes_[i]->series.due(runs.run(i).step_count())) take_numbers(*lanes_[i], runs.run(i));
+    Lane& lane = *lanes_[i];
+    lane.stale = true;
+    if (!lane.series.due(runs.run(i).step_count())) continue;
+    const Clock::time_point begin = Clock::now();
+    const Clock::duration pause = begin - lane.numbers_taken;
+    take_numbers(lane, runs.run(i));
+    if ((lane.numbers_taken - begin) * work_for_numbers > pause) lane.series.widen();
   }
 }
 
 void Publisher::take_numbers(Lane& lane, Simulation& simulation) {
-  const Clock::time_point begin = Clock::now();
   lane.series.add(lane.meter.take(simulation));
   lane.series_stale = true;
-  const bool too_often = (Clock::now() - begin) * work_for_numbers > lane.stepping;
-  if (too_often && simulation.step_count() > 0) lane.series.widen();
-  lane.stepping = {};
+  lane.numbers_taken = Clock::now();
 }
 
 void Publisher::look_at(Lane& lane, Simulation& simulation) {

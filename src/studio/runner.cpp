@@ -60,7 +60,9 @@ void Runner::resume(std::vector<Saved> saved) {
 
 void Runner::reset() {
   give([this] {
-    if (!runs_.empty()) make([this] { runs_.reset(); });
+    goal_ = -1;
+    if (activity_ == Activity::running) activity_ = Activity::paused;
+    edit([this] { runs_.reset(); });
   });
 }
 
@@ -183,10 +185,9 @@ void Runner::step_on() {
 }
 
 void Runner::step_once() {
-  const Clock::time_point begin = Clock::now();
   try {
     const std::int64_t polls = runs_.step();
-    publisher_.stepped(runs_, polls, Clock::now() - begin);
+    publisher_.stepped(runs_, polls);
     unshown_ = true;
   } catch (const std::exception& error) {
     return fail(error.what());
@@ -245,9 +246,7 @@ void Runner::fail(const std::string& what) {
   log_.error("a step failed: " + what);
   const std::shared_ptr<const Snapshot> whole = snapshot();
   Lockstep::Moment moment;
-  for (const RunSnapshot& run : whole->runs) {
-    moment.push_back(std::make_shared<const Saved>(Saved{*run.config, run.state()}));
-  }
+  for (const RunSnapshot& run : whole->runs) moment.push_back(std::make_shared<const RunState>(run.state()));
   runs_.go_to(moment);
   publisher_.touched(runs_);
   log_.information("the runs stand as they were after step " + std::to_string(whole->step()));

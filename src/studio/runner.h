@@ -53,7 +53,7 @@ class Runner {
   void create(std::vector<Config> configs);
   /// Goes on from saved states, paused.
   void resume(std::vector<Saved> saved);
-  /// Everything back to step 0 of what was created or resumed. Can be undone.
+  /// Everything back to what was created or resumed, paused. Can be undone.
   void reset();
   void play();
   void pause();
@@ -67,7 +67,7 @@ class Runner {
   void change(std::vector<Config> configs);
   /// Puts a dab on one run. Dabs with the same stroke number are undone together.
   void paint(std::size_t run, const Dab& dab, std::uint64_t stroke);
-  /// Back to exactly what was before the last stroke or reset: terrain, account, clock.
+  /// Back to exactly what was before the last stroke or reset: terrain, account, clock. What the runs are set to stays.
   void undo();
   void redo();
   /// Whether snapshots carry the wind's shadow.

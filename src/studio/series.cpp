@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+
+#include "io/table.h"
 
 namespace erg {
 
@@ -41,6 +44,17 @@ std::vector<double> Series::column(std::size_t column) const {
   std::vector<double> values(rows_);
   for (std::size_t row = 0; row < rows_; ++row) values[row] = value(row, column);
   return values;
+}
+
+void write_series(const std::filesystem::path& path, const Series& series, const Provenance& provenance) {
+  std::vector<std::string> columns;
+  for (const RunNumber& number : run_numbers()) columns.push_back(number.key);
+  TableFile file(path, columns, provenance);
+  std::vector<double> row(columns.size());
+  for (std::size_t i = 0; i < series.rows(); ++i) {
+    for (std::size_t column = 0; column < columns.size(); ++column) row[column] = series.value(i, column);
+    file.add(row);
+  }
 }
 
 }  // namespace erg

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/provenance.h"
 #include "io/run_numbers.h"
 
 namespace erg {
@@ -39,5 +41,8 @@ class Series {
   std::size_t rows_ = 0;
   std::vector<double> values_;
 };
+
+/// The rows as CSV with their provenance. Throws InputError when it cannot be written.
+void write_series(const std::filesystem::path& path, const Series& series, const Provenance& provenance);
 
 }  // namespace erg

@@ -76,6 +76,11 @@ void write_session(const fs::path& folder, const Snapshot& snapshot) {
   }
 }
 
+void remove_folders(const std::vector<fs::path>& folders) {
+  std::error_code ignored;
+  for (const fs::path& folder : folders) fs::remove_all(folder, ignored);
+}
+
 /// session.json of a folder; null when it is missing or damaged.
 Json read_session(const fs::path& folder) {
   std::ifstream file(folder / "session.json", std::ios::binary);
@@ -86,9 +91,8 @@ Json read_session(const fs::path& folder) {
   };
   const bool whole = has("title", Json::value_t::string) && has("saved_at", Json::value_t::string) &&
                      json.contains("step") && json["step"].is_number_integer() && has("runs", Json::value_t::array) &&
-                     !json["runs"].empty() && std::ranges::all_of(json["runs"], [](const Json& name) {
-                       return name.is_string();
-                     });
+                     !json["runs"].empty() &&
+                     std::ranges::all_of(json["runs"], [](const Json& name) { return name.is_string(); });
   return whole ? json : Json();
 }
 
@@ -135,9 +139,10 @@ void Session::save_if_due(const std::shared_ptr<const Snapshot>& snapshot, doubl
   }
   last_save_ = now;
   saved_version_ = version_of(*snapshot);
-  saving_ = std::async(std::launch::async, [folder = folder_, snapshot]() -> std::string {
+  saving_ = std::async(std::launch::async, [folder = folder_, snapshot, old = replaced_]() -> std::string {
     try {
       write_session(folder, *snapshot);
+      remove_folders(old);
     } catch (const std::exception& error) {
       return error.what();
     }
@@ -149,9 +154,12 @@ void Session::save(const Snapshot& snapshot) {
   if (!snapshot.has_runs()) return;
   if (saving_.valid()) problem_ = saving_.get();
   write_session(folder_, snapshot);
+  remove_folders(replaced_);
   last_save_ = std::chrono::steady_clock::now();
   saved_version_ = version_of(snapshot);
 }
+
+void Session::replaces(const LostSession& session) { replaced_.push_back(session.folder); }
 
 std::string Session::take_problem() { return std::exchange(problem_, {}); }
 
@@ -188,9 +196,6 @@ std::vector<Saved> Session::recover(const LostSession& session) {
   return runs;
 }
 
-void Session::discard(const LostSession& session) {
-  std::error_code ignored;
-  fs::remove_all(session.folder, ignored);
-}
+void Session::discard(const LostSession& session) { remove_folders({session.folder}); }
 
 }  // namespace erg

@@ -45,6 +45,8 @@ class Session {
   void save(const Snapshot& snapshot);
   /// Leaves the folder for the next start to find, as a crash would: for a display that is lost.
   void keep() { keep_ = true; }
+  /// The runs of a lost session are this one's now: its folder goes as soon as this session has saved them itself.
+  void replaces(const LostSession& session);
   /// What went wrong with the last background save; "" if nothing. Asking clears it.
   std::string take_problem();
 
@@ -59,6 +61,7 @@ class Session {
   std::filesystem::path folder_;
   int lock_ = -1;
   bool keep_ = false;
+  std::vector<std::filesystem::path> replaced_;
   std::future<std::string> saving_;
   std::string problem_;
   std::chrono::steady_clock::time_point last_save_;

@@ -103,7 +103,8 @@ Settings read_settings(const fs::path& folder, std::string& complaint) {
 void write_settings(const fs::path& folder, const Settings& settings) {
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (failed) throw InputError(folder.string(), "cannot make this folder: " + failed.message(), "settings are not kept");
+  if (failed)
+    throw InputError(folder.string(), "cannot make this folder: " + failed.message(), "settings are not kept");
   Json json;
   json["dark"] = settings.dark;
   json["scale"] = settings.scale;

@@ -86,9 +86,7 @@ std::vector<SetupRow> Setup::rows(const std::string& group, const Config* runnin
   return found;
 }
 
-ParameterValues* Setup::group(const std::string& key) {
-  return const_cast<ParameterValues*>(group_of(config_, key));
-}
+ParameterValues* Setup::group(const std::string& key) { return const_cast<ParameterValues*>(group_of(config_, key)); }
 
 std::optional<Mistake> Setup::set(const std::string& group, const std::string& key, const ParameterValue& value) {
   ParameterValues* values = this->group(group);
@@ -145,6 +143,21 @@ std::vector<Mistake> Setup::mistakes() const {
 }
 
 bool Setup::needs_new_terrain(const Config& running) const { return erg::needs_new_terrain(running, config_); }
+
+Config Setup::in_force_on(const Config& running) const {
+  Config result = running;
+  if (running.model != config_.model) return result;
+  result.title = config_.title;
+  result.description = config_.description;
+  result.wind = config_.wind;
+  for (const ConfigGroup& group : config_groups()) {
+    for (const Parameter& parameter : (config_.*group.values).declared()) {
+      if (read_at_start(group.key, parameter)) continue;
+      (result.*group.values).set(parameter.key, (config_.*group.values).value(parameter.key));
+    }
+  }
+  return result;
+}
 
 Config Setup::config_to_create() {
   if (auto found = mistakes(); !found.empty()) throw InputError(std::move(found));

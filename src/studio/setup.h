@@ -76,6 +76,9 @@ class Setup {
   std::vector<Mistake> mistakes() const;
   /// Whether CREATE is needed for what differs from the running config.
   bool needs_new_terrain(const Config& running) const;
+  /// The running config with what may take effect without a new terrain: the wind, and every value that is not read at
+  /// the start only. The running config itself where the model is another one.
+  Config in_force_on(const Config& running) const;
   /// The config that CREATE makes: with a new seed, kept from then on, if fresh_seed. Throws InputError with
   /// mistakes().
   Config config_to_create();

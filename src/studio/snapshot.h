@@ -70,7 +70,7 @@ struct Snapshot {
   std::size_t undo_count = 0;     ///< how many edits can be undone
   std::size_t redo_count = 0;
   std::uint64_t commands_done = 0;  ///< commands carried out, see Runner::commands_given
-  std::uint64_t creations = 0;      ///< grows whenever the terrain was made anew: create, resume, reset
+  std::uint64_t creations = 0;      ///< grows whenever there are other runs: create, resume
 
   bool has_runs() const { return !runs.empty(); }
   /// Steps done (all runs go by one clock); 0 when there are none.

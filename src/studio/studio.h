@@ -57,7 +57,7 @@ class Studio {
   bool create_needed() const;
 
   /// Opens a config (or a checkpoint) and creates it. A file with mistakes is refused: every mistake goes to the log
-  /// with its line, and what was open stays.
+  /// with its line, and what was open stays. So does it when the terrain cannot be made; that shows at a later tick.
   bool open(const std::filesystem::path& path);
   /// Saves the setup as a config. False, with the reason in the log, when it cannot.
   bool save_config(const std::filesystem::path& path);
@@ -68,9 +68,9 @@ class Studio {
   /// "barchan field - Momiji et al. 2000, 512 x 512".
   std::string title() const;
 
-  /// A checkpoint of one run as it stands now.
-  bool save_checkpoint(const std::filesystem::path& path, std::size_t run);
-  /// Starts an export of the run shown as active.
+  /// The run that the active setup made, as it stands; null before it is there.
+  const RunSnapshot* active_run() const;
+  /// Starts an export of the active run (export_formats(); a checkpoint is one of them). Stops the one before.
   void start_export(const std::filesystem::path& path, const std::string& format);
   /// The export under way or just ended; null when there was none.
   Export* running_export() { return export_.get(); }
@@ -85,17 +85,34 @@ class Studio {
   std::string rescue();
 
  private:
+  void hand_over(std::vector<Config> configs);
+  void take_over_creation();
   void apply_edits();
-  void watch_background();
+  void watch_export();
+  void show(Comparison comparison);
+  void resume(std::vector<Saved> saved);
+  void keep_settings();
+
+  /// What was open, to go back to when what is opened cannot be made.
+  struct Before {
+    Comparison comparison;
+    std::size_t active = 0;
+    std::filesystem::path file;
+    Config kept_config;
+  };
 
   StudioFolders folders_;
   Log log_;
   Settings settings_;
-  Settings saved_settings_;
+  Settings kept_settings_;  // as they stand in the file
   Comparison comparison_;
   std::size_t active_ = 0;
   std::filesystem::path file_;
-  Config saved_config_;
+  Config kept_config_;                  // as it stands in the file
+  std::vector<Config> handed_over_;     // what the runner was last given
+  std::uint64_t creation_awaited_ = 0;  // the number of the command that makes what was asked for; 0: it is there
+  std::uint64_t creations_before_ = 0;  // of the runner, when that was asked for
+  std::optional<Before> before_opening_;
   std::unique_ptr<Runner> runner_;
   std::shared_ptr<const Snapshot> snapshot_;
   std::unique_ptr<Session> session_;

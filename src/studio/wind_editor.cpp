@@ -14,9 +14,7 @@ using Place = std::ptrdiff_t;
 
 std::string season_place(std::size_t index) { return "season " + std::to_string(index + 1); }
 
-bool in_unit_square(const CurvePoint& point) {
-  return point.x >= 0 && point.x <= 1 && point.y >= 0 && point.y <= 1;
-}
+bool in_unit_square(const CurvePoint& point) { return point.x >= 0 && point.x <= 1 && point.y >= 0 && point.y <= 1; }
 
 std::optional<Mistake> set_strength(double& held, double strength, const std::string& place) {
   if (auto mistake = check_value(strength_parameter(), strength, place)) return mistake;
@@ -86,7 +84,8 @@ std::optional<Mistake> WindEditor::set_steps(std::size_t index, std::int64_t ste
 
 std::optional<Mistake> WindEditor::set_curve(std::size_t index, const BezierCurve& curve) {
   if (!in_unit_square(curve.first) || !in_unit_square(curve.second)) {
-    return Mistake{season_place(index), "a control point lies outside the curve's square", "expected x and y in 0 to 1"};
+    return Mistake{season_place(index), "a control point lies outside the curve's square",
+                   "expected x and y in 0 to 1"};
   }
   regime_->seasons.at(index).curve = curve;
   return std::nullopt;

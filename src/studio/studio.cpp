@@ -1,0 +1,232 @@
+#include "studio/studio.h"
+
+#include <utility>
+
+#include "core/errors.h"
+#include "io/config_file.h"
+
+namespace erg {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Does something that files may spoil; what goes wrong goes to the log.
+template <typename Work>
+bool logged(Log& log, const Work& work) {
+  try {
+    work();
+    return true;
+  } catch (const InputError& error) {
+    log.mistakes(error);
+  } catch (const std::exception& error) {
+    log.error(error.what());
+  }
+  return false;
+}
+
+}  // namespace
+
+Studio::Studio(StudioFolders folders) : folders_(std::move(folders)) {
+  std::string complaint;
+  if (!folders_.settings.empty()) settings_ = read_settings(folders_.settings, complaint);
+  if (!complaint.empty()) log_.warning(complaint);
+  kept_settings_ = settings_;
+  if (!folders_.state.empty()) {
+    lost_ = Session::lost(folders_.state);
+    logged(log_, [this] { session_ = std::make_unique<Session>(folders_.state); });
+  }
+  runner_ = std::make_unique<Runner>(log_);
+  snapshot_ = runner_->snapshot();
+}
+
+Studio::~Studio() { keep_settings(); }
+
+void Studio::keep_settings() {
+  if (folders_.settings.empty() || settings_ == kept_settings_) return;
+  if (logged(log_, [this] { write_settings(folders_.settings, settings_); })) kept_settings_ = settings_;
+}
+
+void Studio::tick() {
+  const Activity before = snapshot_->activity;
+  snapshot_ = runner_->snapshot();
+  take_over_creation();
+  apply_edits();
+  watch_export();
+  if (session_ == nullptr) return;
+  const bool failed_now = snapshot_->activity == Activity::failed && before != Activity::failed;
+  if (failed_now) {
+    logged(log_, [this] {
+      session_->save(*snapshot_);
+      log_.information("the terrain is saved in " + session_->folder().string());
+    });
+  }
+  session_->save_if_due(snapshot_, settings_.autosave_minutes);
+  if (const std::string problem = session_->take_problem(); !problem.empty()) {
+    log_.warning("the session could not be saved: " + problem);
+  }
+}
+
+void Studio::set_active(std::size_t run) {
+  if (run < comparison_.size()) active_ = run;
+}
+
+// -- creating, and edits while a run goes on --
+
+bool Studio::create() {
+  return logged(log_, [this] { hand_over(comparison_.configs_to_create()); });
+}
+
+void Studio::hand_over(std::vector<Config> configs) {
+  handed_over_ = configs;
+  creations_before_ = runner_->snapshot()->creations;
+  runner_->create(std::move(configs));
+  creation_awaited_ = runner_->commands_given();
+}
+
+bool Studio::create_needed() const { return comparison_.needs_new_terrain(*snapshot_); }
+
+/// Looks whether what was asked for is there by now: until then the runs are not those that the setups speak of.
+void Studio::take_over_creation() {
+  if (creation_awaited_ == 0 || snapshot_->commands_done < creation_awaited_) return;
+  creation_awaited_ = 0;
+  const bool made = snapshot_->creations > creations_before_;
+  if (before_opening_ && !made) {
+    comparison_ = std::move(before_opening_->comparison);
+    active_ = before_opening_->active;
+    file_ = std::move(before_opening_->file);
+    kept_config_ = std::move(before_opening_->kept_config);
+    handed_over_.clear();
+  } else if (before_opening_ && !file_.empty()) {
+    log_.information("opened " + file_.string());
+    settings_.add_recent(file_);
+    settings_.last_folder = fs::absolute(file_).parent_path().string();
+  }
+  before_opening_.reset();
+}
+
+void Studio::apply_edits() {
+  if (creation_awaited_ > 0 || snapshot_->runs.size() != comparison_.size()) return;
+  std::vector<Config> wanted = comparison_.configs_in_force(*snapshot_);
+  if (wanted == handed_over_) return;
+  handed_over_ = wanted;
+  runner_->change(std::move(wanted));
+}
+
+// -- files --
+
+bool Studio::open(const fs::path& path) {
+  return logged(log_, [&] {
+    if (path.extension() == ".checkpoint") {
+      resume({read_checkpoint(path)});
+    } else {
+      Comparison opened;
+      opened.set_only(Setup(read_config(path)));
+      std::vector<Config> configs = opened.configs_to_create();
+      show(std::move(opened));
+      hand_over(std::move(configs));
+    }
+    file_ = path;
+  });
+}
+
+/// Other setups than before; what was there is kept until the runs are made.
+void Studio::show(Comparison comparison) {
+  if (!before_opening_) before_opening_ = Before{comparison_, active_, file_, kept_config_};
+  comparison_ = std::move(comparison);
+  active_ = 0;
+  kept_config_ = comparison_.setup(0).config();
+}
+
+void Studio::resume(std::vector<Saved> saved) {
+  Comparison resumed;
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    if (i > 0) resumed.add_copy_of(0);
+    resumed.setup(i).replace(saved[i].config);
+  }
+  show(std::move(resumed));
+  handed_over_ = comparison_.configs();
+  creations_before_ = runner_->snapshot()->creations;
+  runner_->resume(std::move(saved));
+  creation_awaited_ = runner_->commands_given();
+}
+
+bool Studio::save_config(const fs::path& path) {
+  return logged(log_, [&] {
+    Config config = comparison_.configs()[active_];
+    write_config(path, config);
+    file_ = path;
+    kept_config_ = std::move(config);
+    settings_.add_recent(path);
+    settings_.last_folder = fs::absolute(path).parent_path().string();
+    log_.information("saved " + path.string());
+  });
+}
+
+bool Studio::unsaved() const { return comparison_.configs()[active_] != kept_config_; }
+
+std::string Studio::title() const {
+  const Config& config = comparison_.setup(active_).config();
+  const std::string name = !config.title.empty() ? config.title : !file_.empty() ? file_.stem().string() : "untitled";
+  return name + " - " + comparison_.setup(active_).model().info.title + ", " +
+         std::to_string(config.grid.integer("nx")) + " x " + std::to_string(config.grid.integer("ny"));
+}
+
+const RunSnapshot* Studio::active_run() const {
+  return active_ < snapshot_->runs.size() ? &snapshot_->runs[active_] : nullptr;
+}
+
+void Studio::start_export(const fs::path& path, const std::string& format) {
+  if (active_run() == nullptr) {
+    log_.error("there is nothing to export: create a terrain first");
+    return;
+  }
+  export_.reset();  // one at a time: stops the one before
+  export_ = std::make_unique<Export>(path, format, snapshot_, active_);
+  export_reported_ = false;
+}
+
+void Studio::watch_export() {
+  if (export_ == nullptr || export_reported_ || export_->state() == Export::State::writing) return;
+  export_reported_ = true;
+  if (export_->state() == Export::State::done) log_.information("wrote " + export_->path().string());
+  if (export_->state() == Export::State::stopped) log_.warning("stopped writing " + export_->path().string());
+  if (export_->state() == Export::State::failed) log_.error(export_->problem());
+}
+
+Provenance Studio::provenance() const {
+  const RunSnapshot* run = active_run();
+  if (run == nullptr) return provenance_of(comparison_.setup(active_).config(), 0, "none", 0);
+  return provenance_of(*run->config, run->step, run->executor, run->threads);
+}
+
+// -- after a crash --
+
+bool Studio::recover(std::size_t index) {
+  const LostSession session = lost_.at(index);
+  return logged(log_, [&] {
+    resume(Session::recover(session));
+    file_.clear();
+    lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(index));
+    if (session_ != nullptr) session_->replaces(session);
+    log_.information("recovered the session of " + session.saved_at);
+  });
+}
+
+void Studio::discard_lost(std::size_t index) {
+  Session::discard(lost_.at(index));
+  lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+std::string Studio::rescue() {
+  if (session_ == nullptr || !runner_->snapshot()->has_runs()) return "there was nothing to save";
+  try {
+    session_->save(*runner_->snapshot());
+  } catch (const std::exception& error) {
+    return std::string("the runs could not be saved: ") + error.what();
+  }
+  session_->keep();
+  keep_settings();
+  return "the runs are saved in " + session_->folder().string() + "; the next start offers them";
+}
+
+}  // namespace erg
