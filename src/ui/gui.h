@@ -10,6 +10,14 @@
 
 namespace erg {
 
+/// Places of keys in ImGuiIO::KeysDown: letters as capitals and other characters as themselves; the rest from 256 on.
+namespace keys {
+inline constexpr int backspace = 8, tab = 9, enter = 13, escape = 27, space = 32, remove = 127;
+inline constexpr int left = 256, right = 257, up = 258, down = 259, page_up = 260, page_down = 261, home = 262,
+                     end = 263, insert = 264;
+inline constexpr int function = 270;  ///< F1 is function + 1
+}  // namespace keys
+
 /// An ImGui context, which is current from its making on. Needs no OpenGL: what it draws is data.
 class Gui {
  public:

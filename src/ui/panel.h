@@ -40,6 +40,13 @@ struct LandMark {
   bool closed = false;
 };
 
+/// A key and what it does, for the help.
+struct KeyHelp {
+  std::string menu;  ///< where it stands in the menus: "Run"; "Land" for mouse and flying keys
+  std::string keys;  ///< "Ctrl+O", "Space", "right drag"
+  std::string what;
+};
+
 /// What a panel may use in a frame.
 struct Desk {
   Studio& studio;
@@ -52,6 +59,8 @@ struct Desk {
   std::function<void(const std::string& title)> close;
   /// A picture for ImGui::Image: the PNG or JPEG at `path`, loaded once; null when it cannot be read, and in tests.
   std::function<ImTextureID(const std::filesystem::path& path)> picture;
+  /// Every key and mouse movement of the window, from the one table that the menus are made of.
+  std::vector<KeyHelp> keys;
 };
 
 /// Where a panel lies.

@@ -1,7 +1,5 @@
 #include "harness.h"
 
-#include <imgui_internal.h>
-
 #include <stdexcept>
 
 #include "io/image.h"
@@ -17,12 +15,6 @@ constexpr int pause_frames = 30;  // longer than a double click may last
 
 UiHarness::UiHarness(std::function<void()> draw, ImVec2 size, float scale)
     : gui_(ThemeKind::dark, scale), draw_(std::move(draw)), size_(size) {
-  // Keys by ImGui's own numbers, letters by their characters.
-  for (int key = 0; key < ImGuiKey_COUNT; ++key) ImGui::GetIO().KeyMap[key] = key < ImGuiKey_A ? 256 + key : -1;
-  const char letters[] = {'A', 'C', 'V', 'X', 'Y', 'Z'};
-  for (int index = 0; index < 6; ++index) {
-    ImGui::GetIO().KeyMap[ImGuiKey_A + index] = static_cast<unsigned char>(letters[index]);
-  }
   frames(2);
 }
 
@@ -98,8 +90,8 @@ void UiHarness::type(const std::string& text) {
   frames(2);
 }
 
-void UiHarness::key(ImGuiKey key) {
-  bool& down = ImGui::GetIO().KeysDown[ImGui::GetIO().KeyMap[key]];
+void UiHarness::key(int place) {
+  bool& down = ImGui::GetIO().KeysDown[place];
   down = true;
   frames();
   down = false;
@@ -123,7 +115,7 @@ void UiHarness::enter(const std::string& name, const std::string& text) {
   double_click(name);
   shortcut('A');
   type(text);
-  key(ImGuiKey_Enter);
+  key(keys::enter);
 }
 
 void UiHarness::save_png(const std::filesystem::path& path) {

@@ -36,8 +36,8 @@ class UiHarness {
   void scroll(float lines);
   /// Types characters.
   void type(const std::string& text);
-  /// Presses and releases a key: one of ImGuiKey_ (Enter, Escape, Backspace ...).
-  void key(ImGuiKey key);
+  /// Presses and releases a key, by its place (ui/gui.h: keys).
+  void key(int place);
   /// The same for a key that is named by its character, with Ctrl held or not.
   void shortcut(char letter, bool ctrl = true);
   /// Replaces what an entry holds: opens a slider for typing, selects all, types, Enter.
