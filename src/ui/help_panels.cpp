@@ -1,6 +1,4 @@
 // KEYS and ABOUT.
-#include <utility>
-
 #include "studio/studio.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -8,35 +6,26 @@
 namespace erg {
 namespace {
 
-using KeyLine = std::pair<const char*, const char*>;
-
-constexpr KeyLine run_keys[] = {{"Space", "play and pause"}, {".", "one step"}, {"R", "reset to step 0"}};
-constexpr KeyLine view_keys[] = {{"drag", "turn the view"},
-                                 {"right drag", "move the land along"},
-                                 {"wheel", "nearer and farther, to the cursor"},
-                                 {"F", "frame all of the land"},
-                                 {"1 to 4", "views: top, oblique, block, side"}};
-constexpr KeyLine file_keys[] = {{"G", "gallery"},          {"Ctrl+O", "open"},  {"Ctrl+S", "save"},
-                                 {"Ctrl+E", "export"},      {"Ctrl+Z", "undo"},  {"Ctrl+Y", "redo"},
-                                 {"F12", "save a picture"}, {"F1", "these keys"}};
-constexpr KeyLine edit_keys[] = {{"Shift while dragging", "curve points and the wind dial snap"},
-                                 {"double click on a slider", "type a number"},
-                                 {"Escape", "close a dialog"}};
-
-template <std::size_t count>
-void draw_keys(const char* title, const KeyLine (&keys)[count]) {
-  heading(title);
-  if (!ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit)) return;
-  ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, Gui::current().px(190));
-  ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
-  for (const auto& [key, meaning] : keys) {
-    ImGui::TableNextColumn();
-    ImGui::TextColored(Gui::current().theme().accent, "%s", key);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(meaning);
+/// The keys of one menu; `first` is the place of its first in the list. Returns the place behind its last.
+std::size_t draw_keys(const std::vector<KeyHelp>& keys, std::size_t first) {
+  const std::string& menu = keys[first].menu;
+  heading(menu);
+  std::size_t next = first;
+  const bool open = ImGui::BeginTable(menu.c_str(), 2);
+  if (open) {
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, Gui::current().px(190));
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
   }
-  ImGui::EndTable();
+  for (; next < keys.size() && keys[next].menu == menu; ++next) {
+    if (!open) continue;
+    ImGui::TableNextColumn();
+    ImGui::TextColored(Gui::current().theme().accent, "%s", keys[next].keys.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", keys[next].what.c_str());
+  }
+  if (open) ImGui::EndTable();
   ImGui::Spacing();
+  return next;
 }
 
 class KeysPanel final : public Panel {
@@ -44,11 +33,12 @@ class KeysPanel final : public Panel {
   const char* title() const override { return panel_title::keys; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {520, 560}; }
-  void draw(Desk&) override {
-    draw_keys("Run", run_keys);
-    draw_keys("View", view_keys);
-    draw_keys("Files", file_keys);
-    draw_keys("Editing", edit_keys);
+  void draw(Desk& desk) override {
+    for (std::size_t next = 0; next < desk.keys.size();) next = draw_keys(desk.keys, next);
+    explain(
+        "In the panels: Shift while dragging snaps curve points and the wind's dial; a double click on a slider opens "
+        "it "
+        "for typing.");
   }
 };
 

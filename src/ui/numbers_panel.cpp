@@ -41,7 +41,7 @@ class NumbersPanel final : public Panel {
   void choose_numbers();
   void draw_over_time(const Snapshot& now);
   static void draw_number(const Snapshot& now, std::size_t column);
-  void draw_spread(const RunView& run);
+  void draw_spread(const RunSnapshot& run);
   void save(Studio& studio);
 
   std::vector<std::size_t> columns_{1};  ///< of run_numbers(), those that are plotted
@@ -77,7 +77,7 @@ void NumbersPanel::choose_numbers() {
 void NumbersPanel::draw_number(const Snapshot& now, std::size_t column) {
   std::vector<std::vector<double>> steps;
   std::vector<std::vector<double>> values;
-  for (const RunView& run : now.runs) {
+  for (const RunSnapshot& run : now.runs) {
     steps.push_back(run.series->column(0));
     values.push_back(run.series->column(column));
   }
@@ -98,7 +98,7 @@ void NumbersPanel::draw_over_time(const Snapshot& now) {
   for (const std::size_t column : columns_) draw_number(now, column);
 }
 
-void NumbersPanel::draw_spread(const RunView& run) {
+void NumbersPanel::draw_spread(const RunSnapshot& run) {
   for (std::size_t kind = 0; kind < spreads.size(); ++kind) {
     if (kind > 0) ImGui::SameLine();
     if (button(spreads[kind].label, {.look = kind == spread_ ? ButtonLook::accent : ButtonLook::plain})) spread_ = kind;

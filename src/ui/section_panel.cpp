@@ -31,7 +31,7 @@ class SectionPanel final : public Panel {
   void take_clicks(Desk& desk);
   void draw_buttons(Desk& desk);
   void draw_hint() const;
-  void draw_cut(const RunView& run);
+  void draw_cut(const RunSnapshot& run);
   void mark_line(Desk& desk) const;
   void save(Studio& studio);
 
@@ -85,7 +85,7 @@ void SectionPanel::draw_hint() const {
   if (!picking_ && !to_) explain("A cut through the ground shows here once two points are picked.");
 }
 
-void SectionPanel::draw_cut(const RunView& run) {
+void SectionPanel::draw_cut(const RunSnapshot& run) {
   if (!lies_on(*run.terrain, *from_) || !lies_on(*run.terrain, *to_)) {
     explain("The points lie outside this terrain. Pick them anew.");
     return;
