@@ -208,6 +208,7 @@ void Runner::make(const std::function<void()>& build) {
     build();
   } catch (...) {
     activity_ = before;
+    failed_creation_ = done_ + 1;
     throw;
   }
   publisher_.made_anew(runs_);
@@ -263,6 +264,7 @@ void Runner::publish() {
   next->undo_count = runs_.undo_count();
   next->redo_count = runs_.redo_count();
   next->commands_done = done_;
+  next->failed_creation = failed_creation_;
   next->creations = creations_;
   publisher_.fill(*next, runs_, activity_ == Activity::running);
   unshown_ = false;

@@ -110,6 +110,7 @@ class Runner {
   bool unshown_ = false;  // steps were done that no snapshot shows
   std::uint64_t done_ = 0;
   std::uint64_t snapshots_ = 0;
+  std::uint64_t failed_creation_ = 0;
   std::uint64_t creations_ = 0;
   double speed_limit_ = 0;
   std::int64_t goal_start_ = 0;

@@ -69,8 +69,9 @@ struct Snapshot {
   std::int64_t goal = -1;         ///< step at which it pauses; -1: none
   std::size_t undo_count = 0;     ///< how many edits can be undone
   std::size_t redo_count = 0;
-  std::uint64_t commands_done = 0;  ///< commands carried out, see Runner::commands_given
-  std::uint64_t creations = 0;      ///< grows whenever there are other runs: create, resume
+  std::uint64_t commands_done = 0;    ///< commands carried out, see Runner::commands_given
+  std::uint64_t failed_creation = 0;  ///< number of the last create or resume, among all commands, that went wrong
+  std::uint64_t creations = 0;        ///< grows whenever there are other runs: create, resume
 
   bool has_runs() const { return !runs.empty(); }
   /// Steps done (all runs go by one clock); 0 when there are none.

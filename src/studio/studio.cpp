@@ -78,7 +78,6 @@ bool Studio::create() {
 
 void Studio::hand_over(std::vector<Config> configs) {
   handed_over_ = configs;
-  creations_before_ = runner_->snapshot()->creations;
   runner_->create(std::move(configs));
   creation_awaited_ = runner_->commands_given();
 }
@@ -88,8 +87,8 @@ bool Studio::create_needed() const { return comparison_.needs_new_terrain(*snaps
 /// Looks whether what was asked for is there by now: until then the runs are not those that the setups speak of.
 void Studio::take_over_creation() {
   if (creation_awaited_ == 0 || snapshot_->commands_done < creation_awaited_) return;
+  const bool made = snapshot_->failed_creation != creation_awaited_;
   creation_awaited_ = 0;
-  const bool made = snapshot_->creations > creations_before_;
   if (before_opening_ && !made) {
     comparison_ = std::move(before_opening_->comparison);
     active_ = before_opening_->active;
@@ -145,7 +144,6 @@ void Studio::resume(std::vector<Saved> saved) {
   }
   show(std::move(resumed));
   handed_over_ = comparison_.configs();
-  creations_before_ = runner_->snapshot()->creations;
   runner_->resume(std::move(saved));
   creation_awaited_ = runner_->commands_given();
 }

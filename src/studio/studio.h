@@ -111,7 +111,6 @@ class Studio {
   Config kept_config_;                  // as it stands in the file
   std::vector<Config> handed_over_;     // what the runner was last given
   std::uint64_t creation_awaited_ = 0;  // the number of the command that makes what was asked for; 0: it is there
-  std::uint64_t creations_before_ = 0;  // of the runner, when that was asked for
   std::optional<Before> before_opening_;
   std::unique_ptr<Runner> runner_;
   std::shared_ptr<const Snapshot> snapshot_;

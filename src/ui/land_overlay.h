@@ -18,7 +18,7 @@ namespace erg {
 /// One run's part of the window with what is seen in it.
 struct LandPart {
   WindowPart part;
-  const RunView* run = nullptr;
+  const RunSnapshot* run = nullptr;
   const LandGround* ground = nullptr;  ///< null until it has been drawn once
 };
 

@@ -21,7 +21,7 @@ RenderEffort effort_at_rest(bool software) {
 
 }  // namespace
 
-TerrainView view_of_run(const RunView& run) {
+TerrainView view_of_run(const RunSnapshot& run) {
   TerrainView view;
   view.terrain = run.terrain.get();
   if (run.shadow) view.fields.push_back(run.shadow.get());
@@ -59,7 +59,7 @@ struct LandView::Pane final : LandGround {
 
 LandView::~LandView() = default;
 
-void LandView::draw_pane(Pane& pane, const RunView& run, const Look& look, const Camera& camera, bool restless) {
+void LandView::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless) {
   const TerrainView view = view_of_run(run);
   const Clock::time_point now = Clock::now();
   const bool differs = view.version != pane.version || !(pane.part == pane.drawn_part) || !(look == pane.look) ||
@@ -117,7 +117,7 @@ bool LandView::unfinished() const {
 
 const LandGround* LandView::ground(std::size_t run) const { return run < panes_.size() ? panes_[run].get() : nullptr; }
 
-Picture LandView::picture(const RunView& run, const Look& look, const Camera& camera, const PictureSize& size) {
+Picture LandView::picture(const RunSnapshot& run, const Look& look, const Camera& camera, const PictureSize& size) {
   Renderer renderer;
   return renderer.draw(view_of_run(run), look, camera, size);
 }

@@ -16,7 +16,7 @@
 namespace erg {
 
 /// The view of a run for the renderer. `snapshot_run` must outlive it.
-TerrainView view_of_run(const RunView& snapshot_run);
+TerrainView view_of_run(const RunSnapshot& snapshot_run);
 
 /// A part of the window, pixels from its left upper corner.
 struct WindowPart {
@@ -49,11 +49,11 @@ class LandView {
   const LandGround* ground(std::size_t run) const;
 
   /// Draws a run with all there is.
-  Picture picture(const RunView& run, const Look& look, const Camera& camera, const PictureSize& size);
+  Picture picture(const RunSnapshot& run, const Look& look, const Camera& camera, const PictureSize& size);
 
  private:
   struct Pane;
-  void draw_pane(Pane& pane, const RunView& run, const Look& look, const Camera& camera, bool restless);
+  void draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless);
   void show(const Pane& pane, int window_height) const;
 
   bool software_;

@@ -208,7 +208,7 @@ bool draw_status(Studio& studio, float frames_per_second) {
   if (!now.message.empty()) state += ": " + now.message;
   status_item("state", state, colour_of(now.activity, theme), "What the simulation is doing");
   if (now.has_runs()) {
-    const RunView& run = now.runs[std::min(studio.active(), now.runs.size() - 1)];
+    const RunSnapshot& run = now.runs[std::min(studio.active(), now.runs.size() - 1)];
     status_item("steps", short_number(now.steps_per_second) + " steps/s", theme.text, "Steps done in the last second");
     status_item("polls", short_number(now.polls_per_second) + " polls/s", theme.text,
                 "Cells asked for a slab in the last second, all runs together");

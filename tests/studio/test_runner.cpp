@@ -4,8 +4,8 @@
 #include <atomic>
 #include <thread>
 
-#include "studio/runner.h"
 #include "small_config.h"
+#include "studio/runner.h"
 
 namespace erg {
 namespace {

@@ -1,0 +1,224 @@
+// Painting, undo, changes in a run, failures: through the worker.
+#include <gtest/gtest.h>
+
+#include "small_config.h"
+#include "studio/runner.h"
+
+namespace erg {
+namespace {
+
+using test::small_config;
+
+struct EditsTest : testing::Test {
+  Log log;
+  Runner runner{log};
+
+  std::shared_ptr<const Snapshot> still() {
+    runner.wait_until_still();
+    return runner.snapshot();
+  }
+  std::uint64_t hash(std::size_t run = 0) { return state_hash(*still()->runs.at(run).terrain); }
+};
+
+TEST_F(EditsTest, PaintedSandIsBookedToTheLastSlab) {
+  runner.create({small_config()});
+  runner.run(3);
+  const std::int64_t before = still()->runs[0].mass_now;
+  runner.paint(0, {.x = 10, .y = 10, .radius = 5, .amount = 20}, 1);
+  const auto painted = still();
+  const RunSnapshot& run = painted->runs[0];
+  EXPECT_GT(run.mass_now, before);
+  EXPECT_EQ(run.mass_drift(), 0);
+  EXPECT_EQ(run.terrain->ledger().in, run.mass_now - before);
+  EXPECT_EQ(painted->undo_count, 1u);
+  runner.run(10);
+  EXPECT_EQ(still()->runs[0].mass_drift(), 0);
+  EXPECT_EQ(still()->runs[0].mass_now, run.mass_now);
+}
+
+TEST_F(EditsTest, TakingMoreThanThereIsTakesWhatThereIs) {
+  runner.create({small_config()});
+  runner.paint(0, {.x = 24, .y = 20, .radius = 200, .amount = -40000}, 1);
+  const auto now = still();
+  EXPECT_EQ(now->runs[0].terrain->mobile()(24, 20), 0);
+  EXPECT_GE(*std::ranges::min_element(now->runs[0].terrain->mobile().cells()), 0);
+  EXPECT_EQ(now->runs[0].mass_drift(), 0);
+}
+
+TEST_F(EditsTest, UndoRestoresTheExactStateAndRedoTheEdit) {
+  runner.create({small_config()});
+  runner.run(7);
+  const auto before = still();
+  const std::uint64_t hash_before = hash();
+  for (int dab = 0; dab < 4; ++dab) runner.paint(0, {.x = 10.0 + dab, .y = 10, .radius = 4, .amount = 9}, 1);
+  const std::uint64_t hash_painted = hash();
+  ASSERT_NE(hash_painted, hash_before);
+  EXPECT_EQ(still()->undo_count, 1u) << "one stroke";
+  runner.run(6);
+  const std::uint64_t hash_later = hash();
+  runner.undo();
+  const auto after = still();
+  EXPECT_EQ(hash(), hash_before);
+  EXPECT_EQ(after->step(), 7);
+  EXPECT_EQ(after->runs[0].terrain->ledger(), before->runs[0].terrain->ledger());
+  EXPECT_EQ(after->runs[0].totals.polls, before->runs[0].totals.polls);
+  EXPECT_EQ(after->undo_count, 0u);
+  runner.redo();
+  EXPECT_EQ(hash(), hash_later);
+  EXPECT_EQ(still()->step(), 13);
+  runner.undo();
+  runner.paint(0, {.x = 30, .y = 10, .radius = 4, .amount = 9}, 2);
+  EXPECT_EQ(still()->redo_count, 0u);
+}
+
+TEST_F(EditsTest, WhatGrowsAfterUndoIsWhatWouldHaveGrown) {
+  runner.create({small_config()});
+  runner.run(5);
+  runner.paint(0, {.material = BrushMaterial::rock, .x = 20, .y = 20, .radius = 6, .amount = 12}, 1);
+  runner.run(5);
+  runner.undo();
+  runner.run(5);
+  Simulation straight(small_config());
+  for (int step = 0; step < 10; ++step) straight.step();
+  EXPECT_EQ(hash(), state_hash(straight.terrain()));
+}
+
+TEST_F(EditsTest, ResetGoesBackToTheStartAndCanBeUndone) {
+  runner.create({small_config()});
+  const std::uint64_t start = hash();
+  runner.run(12);
+  const std::uint64_t later = hash();
+  runner.reset();
+  EXPECT_EQ(still()->step(), 0);
+  EXPECT_EQ(hash(), start);
+  runner.undo();
+  EXPECT_EQ(still()->step(), 12);
+  EXPECT_EQ(hash(), later);
+}
+
+TEST_F(EditsTest, AChangedParameterTakesEffectAtTheNextStep) {
+  Config other = small_config();
+  other.parameters.set("p_sand", 0.2);
+  runner.create({small_config()});
+  runner.run(4);
+  runner.change({other});
+  runner.run(4);
+  // The same from a checkpoint, as `erg run --resume` does it.
+  Simulation first(small_config());
+  for (int step = 0; step < 4; ++step) first.step();
+  Simulation second(other, first.state());
+  for (int step = 0; step < 4; ++step) second.step();
+  EXPECT_EQ(hash(), state_hash(second.terrain()));
+  EXPECT_EQ(still()->runs[0].config->parameters.real("p_sand"), 0.2);
+}
+
+TEST_F(EditsTest, AChangeThatNeedsANewTerrainIsRefused) {
+  for (const auto& [group, key, value] :
+       std::vector<std::tuple<ParameterValues Config::*, std::string, ParameterValue>>{
+           {&Config::grid, "nx", std::int64_t{64}},
+           {&Config::scene, "sand", 5.0},
+           {&Config::run, "seed", std::int64_t{77}},
+           {&Config::parameters, "slab_height", 0.5}}) {
+    Config other = small_config();
+    (other.*group).set(key, value);
+    runner.create({small_config()});
+    log.clear();
+    runner.change({other});
+    EXPECT_EQ(*still()->runs[0].config, small_config()) << key;
+    EXPECT_EQ(log.count(LogLevel::error), 1u) << key;
+  }
+}
+
+TEST_F(EditsTest, ATerrainThatCannotBeMadeLeavesTheRunsAlone) {
+  runner.create({small_config()});
+  runner.run(3);
+  const std::uint64_t before = hash();
+  Config bad = small_config();
+  bad.scene.set("kind", std::string("image"));
+  bad.scene.set("image", std::string("/nowhere/at/all.png"));
+  runner.create({bad});
+  const auto now = still();
+  EXPECT_EQ(now->activity, Activity::paused);
+  EXPECT_EQ(now->failed_creation, now->commands_done);
+  EXPECT_EQ(hash(), before);
+  EXPECT_GE(log.count(LogLevel::error), 1u);
+}
+
+/// Ground that stands as high as it may, so that the first slab on its top is one too many.
+Config overflowing() {
+  Config config = small_config();
+  config.scene.set("kind", std::string("flat"));
+  config.scene.set("sand", 10000.0);
+  return config;
+}
+
+TEST_F(EditsTest, AStepThatFailsStopsTheRunAndKeepsTheTerrain) {
+  runner.create({overflowing()});
+  // Rock up to the limit, in two dabs since one brush must not go beyond it at once.
+  const std::int32_t room = highest_terrain - 10000;
+  runner.paint(0, {.material = BrushMaterial::rock, .x = 24.5, .y = 20.5, .radius = 3, .amount = room}, 1);
+  runner.run(1000);
+  const auto now = still();
+  ASSERT_EQ(now->activity, Activity::failed) << "step " << now->step();
+  EXPECT_FALSE(now->message.empty());
+  EXPECT_EQ(now->runs[0].mass_drift(), 0);
+  EXPECT_GE(log.count(LogLevel::error), 1u);
+  // The terrain is that of a straight run of as many steps.
+  runner.undo();
+  EXPECT_EQ(still()->activity, Activity::paused);
+  EXPECT_EQ(still()->runs[0].mass_drift(), 0);
+}
+
+TEST_F(EditsTest, PaintingBeyondTheHighestGroundIsRefused) {
+  runner.create({overflowing()});
+  const std::uint64_t before = hash();
+  runner.paint(0, {.x = 24.5, .y = 20.5, .radius = 3, .amount = highest_terrain}, 1);
+  EXPECT_EQ(hash(), before);
+  EXPECT_EQ(still()->undo_count, 0u);
+  EXPECT_EQ(log.count(LogLevel::error), 1u);
+}
+
+TEST_F(EditsTest, ADabReachesAcrossATorusAndStopsAtAnOpenEdge) {
+  for (const std::string boundary : {"torus", "open"}) {
+    Config config = small_config();
+    config.grid.set("boundary", boundary);
+    runner.create({config});
+    const auto before = still();
+    runner.paint(0, {.x = 0.5, .y = 20.5, .radius = 3, .amount = 10}, 1);
+    const auto after = still();
+    const auto added = [&](int x) {
+      return after->runs[0].terrain->mobile()(x, 20) - before->runs[0].terrain->mobile()(x, 20);
+    };
+    EXPECT_EQ(added(0), 10) << boundary;
+    EXPECT_EQ(added(1), 8) << boundary;  // 10 (1 - 1/9)^2 = 7.9
+    EXPECT_EQ(added(47), boundary == "torus" ? 8 : 0) << boundary;
+  }
+}
+
+TEST_F(EditsTest, ComparedRunsGoByOneClock) {
+  Config first = small_config("cpu", 1);
+  Config second = small_config("serial", 2);
+  runner.create({first, second});
+  runner.run(9);
+  const auto now = still();
+  ASSERT_EQ(now->runs.size(), 2u);
+  for (std::size_t run = 0; run < 2; ++run) {
+    EXPECT_EQ(now->runs[run].step, 9);
+    Simulation alone(run == 0 ? first : second);
+    for (int step = 0; step < 9; ++step) alone.step();
+    EXPECT_EQ(hash(run), state_hash(alone.terrain()));
+  }
+}
+
+TEST_F(EditsTest, ComparedRunsNeedOneWindAndAtMostFour) {
+  Config other = small_config();
+  other.wind = Regime::constant(180, 5);
+  runner.create({small_config(), other});
+  EXPECT_FALSE(still()->has_runs());
+  runner.create(std::vector<Config>(5, small_config()));
+  EXPECT_FALSE(still()->has_runs());
+  EXPECT_EQ(log.count(LogLevel::error), 2u);
+}
+
+}  // namespace
+}  // namespace erg

@@ -1,0 +1,153 @@
+// The session that is saved by itself: nothing is lost to a crash, even one in the middle of saving.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "../unit/temporary_folder.h"
+#include "small_config.h"
+#include "studio/runner.h"
+#include "studio/session.h"
+
+namespace erg {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using test::small_config;
+
+Config titled(int seed) {
+  Config config = small_config("serial", seed);
+  config.title = "left behind";
+  return config;
+}
+
+std::uint64_t straight_hash(const Config& config, std::int64_t steps) {
+  Simulation simulation(config);
+  for (std::int64_t step = 0; step < steps; ++step) simulation.step();
+  return state_hash(simulation.terrain());
+}
+
+/// A snapshot without a worker.
+Snapshot snapshot_of(Simulation& simulation, std::uint64_t number) {
+  RunSnapshot run;
+  run.config = std::make_shared<const Config>(simulation.config());
+  run.terrain = std::make_shared<const Terrain>(simulation.terrain());
+  run.terrain_version = number;
+  run.series = std::make_shared<const Series>();
+  run.step = simulation.step_count();
+  run.totals = simulation.totals();
+  Snapshot snapshot;
+  snapshot.number = number;
+  snapshot.runs.push_back(std::move(run));
+  return snapshot;
+}
+
+/// What a program does that saves after every step until it is killed.
+[[noreturn]] void step_and_save(const fs::path& folder) {
+  Session session(folder);
+  Simulation simulation(titled(5));
+  for (std::uint64_t number = 1;; ++number) {
+    simulation.step();
+    session.save(snapshot_of(simulation, number));
+  }
+}
+
+TEST(Session, AKillAtAnyMomentLosesNothing) {
+  for (const auto pause : {0ms, 7ms, 20ms}) {
+    const TemporaryFolder folder;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) step_and_save(folder.path());
+    const auto saved_once = [&] { return fs::exists(folder / ("session-" + std::to_string(child)) / "session.json"); };
+    while (!saved_once()) std::this_thread::sleep_for(1ms);
+    EXPECT_TRUE(Session::lost(folder.path()).empty()) << "its program lives";
+    std::this_thread::sleep_for(pause);
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    const std::vector<LostSession> lost = Session::lost(folder.path());
+    ASSERT_EQ(lost.size(), 1u);
+    EXPECT_EQ(lost[0].title, "left behind");
+    EXPECT_EQ(lost[0].runs, 1u);
+    const std::vector<Saved> runs = Session::recover(lost[0]);
+    ASSERT_EQ(runs.size(), 1u);
+    EXPECT_EQ(runs[0].state.step, lost[0].step);
+    EXPECT_EQ(state_hash(runs[0].state.terrain), straight_hash(titled(5), lost[0].step));
+    Session::discard(lost[0]);
+    EXPECT_TRUE(Session::lost(folder.path()).empty());
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+  }
+}
+
+TEST(Session, AnOrderlyEndLeavesNothing) {
+  const TemporaryFolder folder;
+  {
+    Session session(folder.path());
+    Simulation simulation(titled(1));
+    session.save(snapshot_of(simulation, 1));
+    EXPECT_TRUE(fs::exists(session.folder() / "session.json"));
+  }
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(Session, AKeptOneIsFound) {
+  const TemporaryFolder folder;
+  {
+    Session session(folder.path());
+    Simulation simulation(titled(1));
+    session.save(snapshot_of(simulation, 1));
+    session.keep();
+  }
+  EXPECT_EQ(Session::lost(folder.path()).size(), 1u);
+}
+
+TEST(Session, OneThatSavedNothingIsNotOffered) {
+  const TemporaryFolder folder;
+  { Session(folder.path()).keep(); }
+  EXPECT_TRUE(Session::lost(folder.path()).empty());
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(Session, SavesInTheBackgroundWhenItIsTimeAndSomethingChanged) {
+  const TemporaryFolder folder;
+  Session session(folder.path());
+  Simulation simulation(titled(1));
+  const auto first = std::make_shared<const Snapshot>(snapshot_of(simulation, 1));
+  const auto saved = session.folder() / "session.json";
+  session.save_if_due(first, 0);
+  session.save_if_due(first, 60);
+  EXPECT_FALSE(fs::exists(saved)) << "never, or not yet";
+  while (!fs::exists(saved)) session.save_if_due(first, 1e-9);
+  EXPECT_EQ(session.take_problem(), "");
+  const auto second = std::make_shared<const Snapshot>(snapshot_of(simulation, 2));
+  while (!fs::exists(session.folder() / "run1-2.checkpoint")) session.save_if_due(second, 1e-9);
+}
+
+TEST(Session, AFolderThatCannotBeWrittenIsSaid) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "file", "");
+  EXPECT_THROW(Session(folder / "file"), InputError);
+}
+
+TEST(Session, ADamagedCheckpointIsRefused) {
+  const TemporaryFolder folder;
+  {
+    Session session(folder.path());
+    Simulation simulation(titled(1));
+    session.save(snapshot_of(simulation, 1));
+    session.keep();
+  }
+  const std::vector<LostSession> lost = Session::lost(folder.path());
+  ASSERT_EQ(lost.size(), 1u);
+  const fs::path checkpoint = lost[0].folder / "run1-1.checkpoint";
+  std::string bytes = read_bytes(checkpoint);
+  bytes[bytes.size() / 2] ^= 1;
+  write_bytes(checkpoint, bytes);
+  EXPECT_THROW(Session::recover(lost[0]), InputError);
+}
+
+}  // namespace
+}  // namespace erg
