@@ -24,6 +24,7 @@ void add_check_command(CLI::App& program, Action& action);
 void add_models_command(CLI::App& program, Action& action);
 void add_model_command(CLI::App& program, Action& action);
 void add_presets_command(CLI::App& program, Action& action);
+void add_gallery_command(CLI::App& program, Action& action);
 void add_schema_command(CLI::App& program, Action& action);
 void add_bench_command(CLI::App& program, Action& action);
 void add_validate_command(CLI::App& program, Action& action);

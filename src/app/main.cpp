@@ -21,6 +21,7 @@ ExitCode run_program(int argument_count, char** arguments) {
   add_models_command(program, action);
   add_model_command(program, action);
   add_presets_command(program, action);
+  add_gallery_command(program, action);
   add_schema_command(program, action);
   add_bench_command(program, action);
   add_validate_command(program, action);

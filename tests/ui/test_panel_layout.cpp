@@ -1,0 +1,82 @@
+// Every panel as a person sees it: nothing is cut off at the side. With ERG_PICTURES=FOLDER in the environment each is
+// also written to FOLDER/NAME.png, which is where the pictures of docs/guide.md come from.
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include <cctype>
+#include <cstdlib>
+
+#include "panel_hand.h"
+
+namespace erg::test {
+namespace {
+
+/// A run with something to show: dunes after some steps under two seasons.
+void grow(PanelHand& panel) {
+  Config config;
+  config.title = "Barchan field";
+  config.grid.set("nx", std::int64_t{128});
+  config.grid.set("ny", std::int64_t{128});
+  config.run.set("steps", std::int64_t{600});
+  config.wind.seasons = {Season{270, 3, 8, 100, {{0.6, 0.05}, {0.5, 0.95}}}, Season{225, 8, 8, 50, {}},
+                         Season{292.5, 8, 4, 80, {}}};
+  panel.studio.setup().replace(config);
+  panel.studio.create();
+  panel.studio.runner().run(120);
+  panel.studio.runner().wait_until_still();
+  panel.settle();
+}
+
+std::string file_name(std::string title) {
+  for (char& letter : title) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
+  return title + ".png";
+}
+
+/// How far the content of the panel's window reaches beyond its right edge, pixels.
+float overhang(const char* title) {
+  const ImGuiWindow* window = ImGui::FindWindowByName(title);
+  return window->ContentSize.x - (window->Size.x - 2 * window->WindowPadding.x);
+}
+
+void look_at(PanelHand& panel, const char* title) {
+  panel.hand.move({-1, -1});
+  panel.hand.frames(3);
+  EXPECT_LE(overhang(title), 1) << title << " is cut off";
+  if (const char* folder = std::getenv("ERG_PICTURES")) {
+    panel.hand.save_png(std::filesystem::path(folder) / file_name(title));
+  }
+}
+
+TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
+  for (std::unique_ptr<Panel>& made : make_panels()) {
+    const std::string title = made->title();
+    PanelHand panel(std::move(made));
+    grow(panel);
+    if (title == "SECTION") {
+      panel.hand.click("PICK TWO POINTS");
+      panel.click_land({4, 60});
+      panel.click_land({124, 70});
+    }
+    if (title == "COMPARE") {
+      panel.hand.click("ADD A COPY");
+      panel.studio.setup().set("parameters", "p_sand", 0.8);
+      panel.studio.create();
+      panel.studio.runner().run(60);
+      panel.studio.runner().wait_until_still();
+      panel.settle();
+    }
+    look_at(panel, title.c_str());
+  }
+}
+
+TEST(PanelLayout, NoPanelIsCutOffBeforeThereIsATerrain) {
+  for (std::unique_ptr<Panel>& made : make_panels()) {
+    const std::string title = made->title();
+    PanelHand panel(std::move(made));
+    panel.hand.frames(3);
+    EXPECT_LE(overhang(title.c_str()), 1) << title;
+  }
+}
+
+}  // namespace
+}  // namespace erg::test
