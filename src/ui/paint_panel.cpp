@@ -31,7 +31,7 @@ class PaintPanel final : public Panel {
   double radius_ = 8;
   std::int64_t amount_ = 2;
   std::uint64_t stroke_ = 0;
-  std::optional<LandCell> last_;
+  std::optional<CellPlace> last_;
 };
 
 void PaintPanel::choose(const char* label, bool& chosen, bool value, const std::string& hint) const {

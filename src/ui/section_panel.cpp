@@ -13,7 +13,7 @@
 namespace erg {
 namespace {
 
-CellPlace place_of(LandCell cell) { return {cell.x, cell.y}; }
+CellPlace place_of(CellPlace cell) { return {cell.x, cell.y}; }
 
 std::string cell_text(CellPlace cell) { return std::to_string(cell.x) + ", " + std::to_string(cell.y); }
 

@@ -58,7 +58,7 @@ void PanelHand::settle() {
   hand.frames(2);
 }
 
-void PanelHand::click_land(LandCell cell) {
+void PanelHand::click_land(CellPlace cell) {
   land = {cell, true, true, false};
   hand.frames();
   land = {cell, false, false, true};

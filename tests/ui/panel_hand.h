@@ -37,7 +37,7 @@ class PanelHand {
   /// Waits for the worker and draws what it has done.
   void settle();
   /// The left button goes down on a cell and up again.
-  void click_land(LandCell cell);
+  void click_land(CellPlace cell);
 
  private:
   void draw();
