@@ -83,8 +83,7 @@ class Desktop final : public Stage {
  private:
   static WindowOptions options(const DesktopRequest& request, const Settings& settings);
   void draw(int width, int height, float seconds);
-  bool busy() const;
-  bool starts_moving() const;
+  bool busy();
 
   Studio studio_;
   Window window_;
@@ -149,13 +148,10 @@ void Desktop::save_picture(const PictureOrder& order) {
   }
 }
 
-bool Desktop::starts_moving() const {
+bool Desktop::busy() {
   const Activity activity = studio_.now().activity;
-  return activity == Activity::running || activity == Activity::building;
-}
-
-bool Desktop::busy() const {
-  return starts_moving() || shell_.scenery().wanted_view.empty() == false || land_.unfinished() ||
+  const bool moving = activity == Activity::running || activity == Activity::building;
+  return moving || !shell_.scenery().wanted_view.empty() || land_.unfinished() ||
          studio_.runner().snapshot()->number != shown_snapshot_ || studio_.log().version() != shown_log_;
 }
 

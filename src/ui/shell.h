@@ -9,6 +9,7 @@
 
 #include "render/renderer.h"
 #include "ui/actions.h"
+#include "ui/gui.h"
 #include "ui/land_window.h"
 #include "ui/panel.h"
 #include "ui/run_bar.h"
@@ -54,6 +55,7 @@ class Shell {
   void apply_settings();
 
   Scenery& scenery() { return scenery_; }
+  const Scenery& scenery() const { return scenery_; }
   LandWindow& land() { return land_; }
   /// Opens, closes a dialog, or folds out a panel.
   void open(const std::string& title);
