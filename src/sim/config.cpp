@@ -18,6 +18,12 @@ Parameter only_when(Parameter parameter, std::vector<std::string> condition) {
   return parameter;
 }
 
+/// Marks all of a group as read only when the terrain is made.
+Parameters all_at_start(Parameters parameters) {
+  for (Parameter& parameter : parameters) parameter.at_start = true;
+  return parameters;
+}
+
 /// One `--set`: finds what the key means and sets it.
 class Assignment {
  public:
@@ -126,7 +132,7 @@ Parameter season_steps_parameter() {
 }
 
 Parameters grid_parameters() {
-  return {
+  return all_at_start({
       integer_parameter("nx", "Cells east", "cells", 256, smallest_side, largest_side, "Grid width, west to east."),
       integer_parameter("ny", "Cells north", "cells", 256, smallest_side, largest_side, "Grid height, south to north."),
       real_parameter("cell_size", "Cell size", "m", 1.0, 0.001, 1000.0, "Side of a cell."),
@@ -135,11 +141,11 @@ Parameters grid_parameters() {
       only_when(real_parameter("inflow", "Inflow", "slabs", 0.0, 0.0, 100.0,
                                "Slabs that enter per time step and cell of the upwind edge."),
                 {"boundary", "open"}),
-  };
+  });
 }
 
 Parameters scene_parameters() {
-  return {
+  return all_at_start({
       choice_parameter(
           "kind", "Scene", "flat",
           {"flat", "random", "ripples", "transverse", "rocks", "uneven", "hump", "dune", "valley", "cone", "image"},
@@ -168,14 +174,15 @@ Parameters scene_parameters() {
       only_when(real_parameter("image_high", "Height of white", "m", 10.0, -10000.0, 10000.0,
                                "Height of a white point of the picture."),
                 {"kind", "image"}),
-  };
+  });
 }
 
 Parameters run_parameters() {
   constexpr std::int64_t largest_seed = std::int64_t{1} << 53;  // every JSON reader keeps whole numbers up to here
   return {
       integer_parameter("steps", "Steps", "", 1000, 0, most_steps, "Time steps to run."),
-      integer_parameter("seed", "Seed", "", 0, 0, largest_seed, "The same seed gives the same dunes everywhere."),
+      at_start(
+          integer_parameter("seed", "Seed", "", 0, 0, largest_seed, "The same seed gives the same dunes everywhere.")),
       choice_parameter("executor", "Executor", "auto", executor_names(),
                        "serial: one slab at a time, the reference; cpu: parallel sub-sweeps; auto: the fastest that "
                        "works."),

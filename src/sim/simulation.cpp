@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace erg {
 namespace {
@@ -24,9 +25,9 @@ bool start_differs(const ParameterValues& running, const ParameterValues& wanted
 }  // namespace
 
 bool needs_new_terrain(const Config& running, const Config& wanted) {
-  return running.model != wanted.model || running.grid != wanted.grid || running.scene != wanted.scene ||
-         running.run.integer("seed") != wanted.run.integer("seed") ||
-         start_differs(running.parameters, wanted.parameters);
+  return running.model != wanted.model || std::ranges::any_of(config_groups(), [&](const ConfigGroup& group) {
+           return start_differs(running.*group.values, wanted.*group.values);
+         });
 }
 
 Simulation::Simulation(Config config, const HeightPicture* picture) : config_(std::move(config)) {

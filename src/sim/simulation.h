@@ -19,8 +19,8 @@ struct RunState {
   StepReport totals;
 };
 
-/// Whether a run cannot go on from `running` to `wanted` without a new terrain: another model, grid, scene or seed, or
-/// another value of a parameter that is read only at the start.
+/// Whether a run cannot go on from `running` to `wanted` without a new terrain: another model, or another value of what
+/// is read only at the start (grid, scene, seed, some of a model's parameters).
 bool needs_new_terrain(const Config& running, const Config& wanted);
 
 class Simulation {

@@ -27,9 +27,9 @@ class Publisher {
   Clock::time_point next() const { return next_; }
   /// The runs are other ones than before.
   void made_anew(Lockstep& runs);
-  /// Notes a step done: `polls` of all runs and what it took. Takes the runs' numbers when a row of their series is
-  /// due.
-  void stepped(Lockstep& runs, std::int64_t polls, Clock::duration time);
+  /// Notes a step done: `polls` of all runs. Takes the runs' numbers when a row of their
+  /// series is due.
+  void stepped(Lockstep& runs, std::int64_t polls);
   /// The runs were changed, painted on or taken back: they are not what was shown.
   void touched(Lockstep& runs);
   /// Fills in `runs` and the rates; terrains that did not change since are shared with the last snapshot.

@@ -5,7 +5,11 @@
 
 namespace erg {
 
-Runner::Runner(Log& log) : log_(log), newest_(std::make_shared<const Snapshot>()), thread_([this] { work(); }) {}
+Runner::Runner(Log& log, std::function<void()> before_step)
+    : log_(log),
+      before_step_(std::move(before_step)),
+      newest_(std::make_shared<const Snapshot>()),
+      thread_([this] { work(); }) {}
 
 Runner::~Runner() {
   {
@@ -186,6 +190,7 @@ void Runner::step_on() {
 
 void Runner::step_once() {
   try {
+    if (before_step_) before_step_();
     const std::int64_t polls = runs_.step();
     publisher_.stepped(runs_, polls);
     unshown_ = true;

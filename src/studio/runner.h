@@ -28,8 +28,9 @@ namespace erg {
 /// is written to the log and leaves the runs as they were. All functions may be called from any thread.
 class Runner {
  public:
-  /// `log` must outlive the runner.
-  explicit Runner(Log& log);
+  /// `log` must outlive the runner. `before_step` is called on the worker's thread before each step; what it throws is
+  /// a failed step.
+  explicit Runner(Log& log, std::function<void()> before_step = {});
   /// Stops after the step under way.
   ~Runner();
   Runner(const Runner&) = delete;
@@ -92,6 +93,7 @@ class Runner {
   void publish();
 
   Log& log_;
+  std::function<void()> before_step_;
 
   // Shared, under mutex_. It is held for the moment of a swap only.
   mutable std::mutex mutex_;

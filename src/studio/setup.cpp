@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <random>
 
+#include "sim/simulation.h"
+
 namespace erg {
 namespace {
 
@@ -20,12 +22,6 @@ bool is_relevant(const Parameter& parameter, const ParameterValues& values) {
   if (parameter.only_when.empty()) return true;
   const std::string& deciding = values.text(parameter.only_when.front());
   return std::find(parameter.only_when.begin() + 1, parameter.only_when.end(), deciding) != parameter.only_when.end();
-}
-
-/// Groups other than the model's parameters: which of their values are read when the terrain is made.
-bool read_at_start(const std::string& group, const Parameter& parameter) {
-  if (group == "grid" || group == "scene") return true;
-  return group == "run" ? parameter.key == "seed" : parameter.at_start;
 }
 
 const ParameterValues* group_of(const Config& config, const std::string& key) {
@@ -78,7 +74,7 @@ std::vector<SetupRow> Setup::rows(const std::string& group, const Config* runnin
     row.value = values->value(parameter.key);
     row.changed = !values->is_default(parameter.key);
     row.relevant = is_relevant(parameter, *values);
-    row.needs_new_terrain = read_at_start(group, parameter);
+    row.needs_new_terrain = parameter.at_start;
     row.pending = in_force != nullptr &&
                   (in_force->find(parameter.key) == nullptr || in_force->value(parameter.key) != row.value);
     found.push_back(std::move(row));
@@ -152,7 +148,7 @@ Config Setup::in_force_on(const Config& running) const {
   result.wind = config_.wind;
   for (const ConfigGroup& group : config_groups()) {
     for (const Parameter& parameter : (config_.*group.values).declared()) {
-      if (read_at_start(group.key, parameter)) continue;
+      if (parameter.at_start) continue;
       (result.*group.values).set(parameter.key, (config_.*group.values).value(parameter.key));
     }
   }

@@ -25,14 +25,14 @@ const SetupRow& row_of(const std::vector<SetupRow>& rows, const std::string& key
 ParameterValue wrong_value(const Parameter& parameter) {
   if (parameter.kind == ParameterKind::choice) return std::string("no such thing");
   if (parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer) {
-    return parameter.maximum + 1;
+    return 2 * parameter.maximum + 1;
   }
   return 0.5;
 }
 
 TEST(Setup, EveryValueOfEveryModelRefusesWhatIsOutOfRange) {
   for (const ModelType& type : catalogue()) {
-    Setup setup{Config(type.info.key)};
+    erg::Setup setup{Config(type.info.key)};
     const Config before = setup.config();
     for (const std::string group : {"grid", "scene", "parameters", "run"}) {
       for (const SetupRow& row : setup.rows(group)) {
@@ -49,7 +49,7 @@ TEST(Setup, EveryValueOfEveryModelRefusesWhatIsOutOfRange) {
 }
 
 TEST(Setup, RowsTellWhatIsChangedPendingAndRelevant) {
-  Setup setup;
+  erg::Setup setup;
   const Config running = setup.config();
   EXPECT_FALSE(setup.set_text("grid", "nx", "128").has_value());
   EXPECT_FALSE(setup.set("parameters", "p_sand", 0.5).has_value());
@@ -70,7 +70,7 @@ TEST(Setup, RowsTellWhatIsChangedPendingAndRelevant) {
 }
 
 TEST(Setup, TypedTextThatIsNoValueIsRefusedWithARemedy) {
-  Setup setup;
+  erg::Setup setup;
   const auto mistake = setup.set_text("grid", "nx", "many");
   ASSERT_TRUE(mistake.has_value());
   EXPECT_NE(mistake->remedy.find("16384"), std::string::npos) << mistake->text();
@@ -79,7 +79,7 @@ TEST(Setup, TypedTextThatIsNoValueIsRefusedWithARemedy) {
 }
 
 TEST(Setup, WhatIsEnteredSurvivesAFile) {
-  Setup setup;
+  erg::Setup setup;
   setup.choose_model("werner");
   setup.set_text("grid", "boundary", "open");
   setup.set_text("grid", "inflow", "0.25");
@@ -92,14 +92,14 @@ TEST(Setup, WhatIsEnteredSurvivesAFile) {
 }
 
 TEST(Setup, APictureMustBeThereBeforeItIsCreated) {
-  Setup setup;
+  erg::Setup setup;
   setup.set_text("scene", "kind", "image");
   EXPECT_EQ(setup.mistakes().size(), 1u);
   EXPECT_THROW(setup.config_to_create(), InputError);
 }
 
 TEST(Setup, AFreshSeedIsDrawnAndKept) {
-  Setup setup;
+  erg::Setup setup;
   EXPECT_EQ(setup.config_to_create().run.integer("seed"), 0);
   setup.set_fresh_seed(true);
   const std::int64_t drawn = setup.config_to_create().run.integer("seed");
@@ -108,7 +108,7 @@ TEST(Setup, AFreshSeedIsDrawnAndKept) {
 }
 
 TEST(Setup, WhatTakesEffectInARunLeavesTheRestAsItRuns) {
-  Setup setup(small_config());
+  erg::Setup setup(small_config());
   setup.set_text("grid", "nx", "64");
   setup.set_text("parameters", "p_bare", "0.1");
   ASSERT_FALSE(setup.wind().set_bearing(0, "N").has_value());
@@ -153,8 +153,8 @@ TEST(WindEditor, InvalidValuesChangeNothing) {
 }
 
 TEST(WindCycle, IsTheWindOfTheRun) {
-  const Regime regime{
-      {{.bearing = 270, .first = 3, .last = 8, .steps = 10}, {.bearing = 180, .first = 8, .last = 8, .steps = 5}}};
+  const Regime regime{{{.bearing = 270, .first = 3, .last = 8, .steps = 10, .curve = {}},
+                       {.bearing = 180, .first = 8, .last = 8, .steps = 5, .curve = {}}}};
   const WindCycle cycle = sample_cycle(regime, 15);
   ASSERT_EQ(cycle.steps.size(), 15u);
   for (std::size_t i = 0; i < 15; ++i) {
@@ -169,8 +169,8 @@ TEST(WindCycle, IsTheWindOfTheRun) {
 }
 
 TEST(WindRose, AddsUpWhatBlowsFromWhere) {
-  const Regime regime{
-      {{.bearing = 270, .first = 3, .last = 3, .steps = 10}, {.bearing = 180, .first = 8, .last = 8, .steps = 5}}};
+  const Regime regime{{{.bearing = 270, .first = 3, .last = 3, .steps = 10, .curve = {}},
+                       {.bearing = 180, .first = 8, .last = 8, .steps = 5, .curve = {}}}};
   // After 17 steps: a whole cycle (30 from W, 40 from S) and two more steps from W. At 30: two cycles.
   const WindRose rose = wind_rose(regime, 17, 30, 8);
   EXPECT_DOUBLE_EQ(rose.blown[6], 36);
@@ -193,8 +193,11 @@ TEST(Comparison, HasOneWindAndListsWhatDiffers) {
   for (const SetupDifference& difference : comparison.differences()) {
     names.push_back(difference.name);
     ASSERT_EQ(difference.values.size(), 2u);
-    if (difference.name == "parameters.linear") EXPECT_EQ(difference.values[1], "-");
-    if (difference.name == "parameters.p_sand") EXPECT_EQ(difference.values, (std::vector<std::string>{"0.6", "0.3"}));
+    if (difference.name == "parameters.linear") {
+      EXPECT_EQ(difference.values[1], "-");
+    } else if (difference.name == "parameters.p_sand") {
+      EXPECT_EQ(difference.values, (std::vector<std::string>{"0.6", "0.3"}));
+    }
   }
   for (const std::string name : {"model", "run.seed", "parameters.p_sand", "parameters.linear"}) {
     EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
