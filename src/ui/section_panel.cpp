@@ -13,8 +13,6 @@
 namespace erg {
 namespace {
 
-CellPlace place_of(CellPlace cell) { return {cell.x, cell.y}; }
-
 std::string cell_text(CellPlace cell) { return std::to_string(cell.x) + ", " + std::to_string(cell.y); }
 
 bool lies_on(const Terrain& terrain, CellPlace place) {
