@@ -13,8 +13,6 @@
 namespace erg {
 namespace {
 
-CellPlace place_of(CellPlace cell) { return {cell.x, cell.y}; }
-
 std::string cell_text(CellPlace cell) { return std::to_string(cell.x) + ", " + std::to_string(cell.y); }
 
 bool lies_on(const Terrain& terrain, CellPlace place) {
@@ -47,7 +45,7 @@ void SectionPanel::take_clicks(Desk& desk) {
   if (!picking_) return;
   desk.tool = LandTool::section;
   if (!desk.land.pressed || !desk.land.cell) return;
-  const CellPlace cell = place_of(*desk.land.cell);
+  const CellPlace cell = *desk.land.cell;
   if (!from_ || to_) {
     from_ = cell;
     to_.reset();
@@ -115,7 +113,7 @@ void SectionPanel::mark_line(Desk& desk) const {
   if (to_) {
     add(*to_);
   } else if (desk.land.cell) {
-    add(place_of(*desk.land.cell));
+    add(*desk.land.cell);
   }
   if (line.points.size() > 1) desk.marks.push_back(line);
 }

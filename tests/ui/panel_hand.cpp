@@ -1,5 +1,7 @@
 #include "panel_hand.h"
 
+#include "ui/widgets.h"
+
 namespace erg::test {
 namespace {
 
@@ -30,10 +32,9 @@ PanelHand::PanelHand(std::unique_ptr<Panel> panel, const std::function<void(cons
 
 void PanelHand::draw() {
   studio.tick();
-  Desk desk{.studio = studio,
-            .land = land,
-            .open = [this](const std::string& title) { opened.push_back(title); },
-            .close = [this](const std::string& title) { closed.push_back(title); }};
+  Desk desk{studio, land, LandTool::camera, {}, {}, {}, {}, {}};
+  desk.open = [this](const std::string& title) { opened.push_back(title); };
+  desk.close = [this](const std::string& title) { closed.push_back(title); };
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size_of(*panel_));
   ImGui::Begin(panel_->title(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);

@@ -129,7 +129,7 @@ TEST(LogPanel, FiltersByLevelCopiesAndClears) {
 
 TEST(RecoveryPanel, ShowsNothingAfterAnOrderlyEnd) {
   PanelHand panel(make_recovery_panel());
-  Desk desk{.studio = panel.studio};
+  const Desk desk{panel.studio, {}, LandTool::camera, {}, {}, {}, {}, {}};
   EXPECT_FALSE(make_recovery_panel()->wanted(desk));
 }
 
