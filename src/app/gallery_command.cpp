@@ -11,6 +11,7 @@
 #include "app/run_setup.h"
 #include "io/config_file.h"
 #include "io/jpeg.h"
+#include "io/start_simulation.h"
 #include "render/gl_context.h"
 
 namespace erg {
