@@ -57,6 +57,7 @@ void PicturePanel::draw(Desk& desk) {
   }
   if (frames_until_drawn_ > 0 && --frames_until_drawn_ == 0) write(desk);
   if (!result_.empty()) say(result_, failed_ ? Gui::current().theme().lost : Gui::current().theme().text);
+  if (!result_.empty() && !failed_ && frames_until_drawn_ == 0) mark("saved");
 }
 
 void PicturePanel::draw_sizes() {
