@@ -50,9 +50,11 @@ void draw_menus(const std::vector<Action>& actions) {
     const bool open = ImGui::BeginMenu(menu.c_str());
     mark("menu " + menu);
     if (!open) continue;
-    const WidgetScope scope("menu " + menu);
-    for (const Action& action : actions) {
-      if (action.menu == menu) draw_item(action);
+    {
+      const WidgetScope scope("menu " + menu);
+      for (const Action& action : actions) {
+        if (action.menu == menu) draw_item(action);
+      }
     }
     ImGui::EndMenu();
   }

@@ -86,8 +86,8 @@ class Desktop final : public Stage {
   bool busy();
 
   Studio studio_;
+  Gui gui_;  // before the window, whose input goes into it
   Window window_;
-  Gui gui_;
   GuiRenderer renderer_;
   LandView land_;
   Shell shell_;

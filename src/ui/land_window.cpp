@@ -105,7 +105,7 @@ void LandWindow::take_input(Desk& desk, WindowPart area) {
   if (hovered && ImGui::IsMouseClicked(0)) desk.studio.set_active(under_pointer_);
   if (land.ground == nullptr) return;
   point(desk, land, hovered);
-  move_camera(desk, land, hovered);
+  move_camera(land, hovered);
 }
 
 void LandWindow::point(Desk& desk, const LandPart& land, bool hovered) {
@@ -125,7 +125,7 @@ void LandWindow::point(Desk& desk, const LandPart& land, bool hovered) {
   desk.land.released = ImGui::IsMouseReleased(0);
 }
 
-void LandWindow::move_camera(const Desk& desk, const LandPart& land, bool hovered) {
+void LandWindow::move_camera(const LandPart& land, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   CameraInput input;
   input.cursor = to_picture(io.MousePos, land.part);
@@ -142,34 +142,38 @@ void LandWindow::move_camera(const Desk& desk, const LandPart& land, bool hovere
     input.sideways = pressed('D', 'A');
     input.rise = pressed('E', 'Q');
   }
-  static_cast<void>(desk);
   restless_ = scenery_.camera.move(input, *land.ground, land.part.aspect()) || input.orbit || input.pan || input.look;
 }
 
 void LandWindow::draw_over(Desk& desk) {
   ImGui::Begin("##land", nullptr, bare);
-  const WidgetScope scope("LAND");
-  const std::vector<LandPart> all = lands(desk.studio.now());
-  if (all.empty()) {
-    draw_empty(desk);
-  } else {
-    const Camera& camera = scenery_.camera.camera();
-    for (const LandPart& land : all) {
-      ImGui::PushClipRect(
-          corner_of(land.part),
-          {static_cast<float>(land.part.left + land.part.width), static_cast<float>(land.part.top + land.part.height)},
-          true);
-      draw_marks(land, camera, scenery_.look.exaggeration, desk.marks);
-      if (scenery_.legend) draw_legend(land, scenery_.look);
-      if (scenery_.legend) draw_wind_rose(land, camera);
-      ImGui::PopClipRect();
+  {
+    const WidgetScope scope("LAND");
+    const std::vector<LandPart> all = lands(desk.studio.now());
+    if (all.empty()) {
+      draw_empty(desk);
+    } else {
+      draw_lands(desk, all);
     }
-    if (all.size() > 1) draw_captions(desk, all);
-    draw_reading(desk, all[std::min(under_pointer_, all.size() - 1)]);
-    draw_troubles(desk);
   }
   desk.marks.clear();
   ImGui::End();
+}
+
+void LandWindow::draw_lands(const Desk& desk, const std::vector<LandPart>& all) const {
+  const Camera& camera = scenery_.camera.camera();
+  for (const LandPart& land : all) {
+    const ImVec2 corner = corner_of(land.part);
+    const ImVec2 size = size_of(land.part);
+    ImGui::PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
+    draw_marks(land, camera, scenery_.look.exaggeration, desk.marks);
+    if (scenery_.legend) draw_legend(land, scenery_.look);
+    if (scenery_.legend) draw_wind_rose(land, camera);
+    ImGui::PopClipRect();
+  }
+  if (all.size() > 1) draw_captions(desk, all);
+  draw_reading(desk, all[std::min(under_pointer_, all.size() - 1)]);
+  draw_troubles(desk);
 }
 
 void LandWindow::draw_reading(const Desk& desk, const LandPart& land) const {

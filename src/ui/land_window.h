@@ -33,8 +33,9 @@ class LandWindow {
  private:
   std::vector<LandPart> lands(const Snapshot& now) const;
   void take_wanted_view(const std::vector<LandPart>& lands);
-  void move_camera(const Desk& desk, const LandPart& land, bool hovered);
+  void move_camera(const LandPart& land, bool hovered);
   void point(Desk& desk, const LandPart& land, bool hovered);
+  void draw_lands(const Desk& desk, const std::vector<LandPart>& lands) const;
   void draw_captions(const Desk& desk, const std::vector<LandPart>& lands) const;
   void draw_reading(const Desk& desk, const LandPart& land) const;
   void draw_empty(Desk& desk) const;

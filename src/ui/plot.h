@@ -26,7 +26,7 @@ struct PlotFrame {
   std::string y_label = {};  ///< what runs up, with its unit
   std::optional<AxisRange> x = {};
   std::optional<AxisRange> y = {};  ///< none: the range of the values, made round
-  bool from_zero = false;      ///< the y axis starts at zero
+  bool from_zero = false;           ///< the y axis starts at zero
   std::optional<double> cursor = {};
   std::vector<PlotBand> bands = {};
   float height = 0;  ///< pixels, whole; 0: as high as serves the width
