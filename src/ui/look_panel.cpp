@@ -206,8 +206,8 @@ void LookPanel::draw_bookmarks(Desk& desk) {
       scenery_.camera.set(entry.camera);
     }
     ImGui::SameLine();
-    if (button("\u2715##remove", {.tooltip = "Forget this view", .look = ButtonLook::quiet})) removed = entry.name;
-    mark("remove");
+    if (button("\u2715##remove", {.tooltip = "Forget this view", .name = "remove", .look = ButtonLook::quiet}))
+      removed = entry.name;
   }
   if (!removed.empty()) bookmarks_.remove(removed);
 }

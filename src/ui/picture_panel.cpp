@@ -43,12 +43,12 @@ void PicturePanel::draw(Desk& desk) {
   const std::string reason = desk.studio.now().has_runs() ? "" : "There is no land yet.";
   if (button("Save picture\u2026", {.tooltip = "Choose the file",
                                     .unavailable = reason,
+                                    .name = "save picture",
                                     .look = ButtonLook::accent,
                                     .size = {Gui::current().px(150), 0}})) {
     const std::string stem = desk.studio.file().empty() ? "dunes" : desk.studio.file().stem().string();
     browser_.ask(desk.studio.settings(), stem + "-" + std::to_string(desk.studio.now().step()) + ".png");
   }
-  mark("save picture");
   if (const auto chosen = browser_.draw(desk.studio)) {
     file_ = chosen->string();
     frames_until_drawn_ = 3;

@@ -68,8 +68,8 @@ bool draw_log_item(const Log& log) {
   add(warnings, "warning");
   ImGui::PushStyleColor(ImGuiCol_Text, errors > 0 ? theme.lost : warnings > 0 ? theme.accent : theme.faint);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {Gui::current().px(6), 0});
-  const bool pressed = button((text + "##log").c_str(), {.tooltip = "Open the log", .look = ButtonLook::quiet});
-  mark("log");
+  const bool pressed =
+      button((text + "##log").c_str(), {.tooltip = "Open the log", .name = "log", .look = ButtonLook::quiet});
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   return pressed;
@@ -117,36 +117,35 @@ void RunBar::draw_buttons(Studio& studio) {
   const float wide = Gui::current().px(92);
   if (button("\u25c0\u25c0 Reset##reset", {.tooltip = "Back to step 0 of this land (R). Can be undone.",
                                            .unavailable = now.has_runs() ? "" : "There is no land yet.",
+                                           .name = "reset",
                                            .size = {wide, 0}})) {
     studio.runner().reset();
   }
-  mark("reset");
   ImGui::SameLine();
   const std::string reason = why_no_step(now);
   if (button(running ? "\u275a\u275a Pause##play" : "\u25b6 Play##play",
              {.tooltip = running ? "Stop after this step (Space)" : "Let the wind blow (Space)",
               .unavailable = reason,
+              .name = "play",
               .look = running ? ButtonLook::plain : ButtonLook::accent,
               .size = {wide, 0}})) {
     play_or_pause(studio.runner(), now);
   }
-  mark("play");
   ImGui::SameLine();
   if (button("\u25b6| Step##step", {.tooltip = "One step (.)",
                                     .unavailable = running ? "It is running: pause first." : reason,
+                                    .name = "step",
                                     .size = {wide, 0}})) {
     studio.runner().step();
   }
-  mark("step");
 }
 
 void RunBar::draw_steps(Studio& studio) {
   const Snapshot& now = studio.now();
   const std::string reason = why_no_step(now);
-  if (button("Run##run", {.tooltip = "Run so many steps, then pause", .unavailable = reason})) {
+  if (button("Run##run", {.tooltip = "Run so many steps, then pause", .unavailable = reason, .name = "run"})) {
     studio.runner().run(steps_to_run_);
   }
-  mark("run");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(Gui::current().px(72));
   ImGui::InputScalar("##steps", ImGuiDataType_S64, &steps_to_run_);

@@ -17,7 +17,7 @@ struct Scenery {
   LandCamera camera;
   bool legend = true;  ///< legend, wind arrow and north over the land
   /// A preset to take up as soon as the land's extent is known; "" when the camera is where it should be.
-  std::string wanted_view = "oblique";
+  std::string wanted_view = "block";
 };
 
 /// Cameras kept by name, as JSON files of a folder.

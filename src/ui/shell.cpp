@@ -12,8 +12,8 @@ namespace erg {
 namespace {
 
 // Widths at scale 1, pixels.
-constexpr float left_width = 300;
-constexpr float right_width = 290;
+constexpr float left_width = 330;
+constexpr float right_width = 310;
 constexpr float narrowest_column = 220;
 constexpr float widest_column = 640;
 constexpr float edge_width = 5;
@@ -103,7 +103,7 @@ void Shell::draw() {
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();
   const float line = ImGui::GetFrameHeightWithSpacing();
-  const float foot = line + ImGui::GetTextLineHeightWithSpacing() + gui_.px(16);
+  const float foot = line + ImGui::GetTextLineHeightWithSpacing() + gui_.px(14);
   const float high = whole.y - top - foot;
   // Columns never leave less than a third of the window to the land.
   const float most = whole.x / 3;

@@ -44,8 +44,8 @@ void set_colours(const Theme& theme, ImGuiStyle& style) {
   set(ImGuiCol_ScrollbarGrabHovered, theme.faint);
   set(ImGuiCol_ScrollbarGrabActive, theme.faint);
   set(ImGuiCol_CheckMark, theme.accent);
-  set(ImGuiCol_SliderGrab, between(theme.field, theme.accent, 0.75f));
-  set(ImGuiCol_SliderGrabActive, theme.accent);
+  set(ImGuiCol_SliderGrab, between(theme.field, theme.accent, 0.42f));
+  set(ImGuiCol_SliderGrabActive, between(theme.field, theme.accent, 0.6f));
   set(ImGuiCol_Button, theme.field);
   set(ImGuiCol_ButtonHovered, hovered);
   set(ImGuiCol_ButtonActive, pressed);

@@ -11,7 +11,7 @@
 namespace erg {
 namespace {
 
-constexpr float label_share = 0.42f;      // of a row's width
+constexpr float label_share = 0.46f;      // of a row's width
 constexpr float entry_end = 0.97f;        // leaves room for the reset button
 constexpr double wide_range = 1000;       // largest / smallest from which a slider runs logarithmically
 constexpr std::int64_t sliding = 100000;  // whole numbers beyond are typed
@@ -44,23 +44,17 @@ void begin_row(const Row& row) {
   tooltip(text_wide > wide ? row.label + "\n" + row.tooltip : row.tooltip);
   ImGui::SameLine();
   ImGui::SetCursorPosX(left + whole * label_share);
-  const float unit_wide =
-      row.unit.empty() ? 0 : ImGui::CalcTextSize(row.unit.c_str()).x + ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SetNextItemWidth(whole * (entry_end - label_share) - reset_width() - unit_wide);
+  ImGui::SetNextItemWidth(whole * (entry_end - label_share) - reset_width());
   ImGui::BeginDisabled(!row.unavailable.empty());
 }
 
-// Unit, dot and reset button behind the entry.
+// Dot and reset button behind the entry.
 RowEvent end_row(const Row& row, RowEvent event) {
   const Gui& gui = Gui::current();
   mark(row.label);
   ImGui::EndDisabled();
   tooltip(row.unavailable.empty() ? row.tooltip : row.tooltip + "\n\n" + row.unavailable);
   const bool can_reset = row.changed && row.unavailable.empty();
-  if (!row.unit.empty()) {
-    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    ImGui::TextColored(gui.theme().faint, "%s", row.unit.c_str());
-  }
   if (row.changed) {
     ImGui::SameLine();
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - reset_width());
@@ -107,18 +101,32 @@ ImGuiSliderFlags slider_flags(double minimum, double maximum) {
   return ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
-}  // namespace
+// How a number is shown in its entry: with its unit.
+std::string with_unit(const char* number, const std::string& unit) {
+  std::string format = number;
+  if (!unit.empty()) format += " ";
+  for (const char letter : unit) format += letter == '%' ? std::string("%%") : std::string(1, letter);
+  return format;
+}
 
-void mark(std::string_view name) { mark(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
-
-void mark(std::string_view name, ImVec2 low, ImVec2 high) {
+void add_to_map(std::string_view name, ImVec2 low, ImVec2 high, ImGuiItemFlags flags) {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   const ImRect& clip = context.CurrentWindow->ClipRect;
   if (!clip.Overlaps({low, high})) return;
   const ImVec2 seen_low{std::max(low.x, clip.Min.x), std::max(low.y, clip.Min.y)};
   const ImVec2 seen_high{std::min(high.x, clip.Max.x), std::min(high.y, clip.Max.y)};
-  const bool enabled = (context.CurrentItemFlags & ImGuiItemFlags_Disabled) == 0;
-  Gui::current().widgets().add(shown(name), seen_low, seen_high, enabled);
+  Gui::current().widgets().add(shown(name), seen_low, seen_high, (flags & ImGuiItemFlags_Disabled) == 0);
+}
+
+}  // namespace
+
+void mark(std::string_view name) {
+  const ImGuiLastItemData& item = ImGui::GetCurrentContext()->LastItemData;
+  add_to_map(name, item.Rect.Min, item.Rect.Max, item.InFlags);
+}
+
+void mark(std::string_view name, ImVec2 low, ImVec2 high) {
+  add_to_map(name, low, high, ImGui::GetCurrentContext()->CurrentItemFlags);
 }
 
 WidgetScope::WidgetScope(std::string_view name) {
@@ -185,7 +193,7 @@ bool button(const char* label, const ButtonInfo& info) {
   }
   ImGui::BeginDisabled(!info.unavailable.empty());
   const bool pressed = ImGui::Button(label, info.size);
-  mark(label);
+  mark(info.name.empty() ? std::string_view(label) : info.name);
   ImGui::EndDisabled();
   ImGui::PopStyleColor(colours);
   tooltip(info.unavailable.empty()
@@ -200,10 +208,10 @@ RowEvent real_row(const Row& row, double& value, double minimum, double maximum)
   double entered = value;
   bool changed = false;
   if (minimum < maximum) {
-    changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &entered, &minimum, &maximum, "%.4g",
-                                  slider_flags(minimum, maximum));
+    changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &entered, &minimum, &maximum,
+                                  with_unit("%.4g", row.unit).c_str(), slider_flags(minimum, maximum));
   } else {
-    changed = ImGui::InputDouble("##value", &entered, 0, 0, "%.6g");
+    changed = ImGui::InputDouble("##value", &entered, 0, 0, with_unit("%.6g", row.unit).c_str());
   }
   changed = changed && entered != value && std::isfinite(entered);
   if (changed) value = entered;
@@ -215,7 +223,7 @@ RowEvent integer_row(const Row& row, std::int64_t& value, std::int64_t minimum, 
   const TypingOnDoubleClick typing;
   std::int64_t entered = value;
   if (minimum < maximum && maximum - minimum <= sliding && minimum > -sliding) {
-    ImGui::SliderScalar("##value", ImGuiDataType_S64, &entered, &minimum, &maximum, "%lld",
+    ImGui::SliderScalar("##value", ImGuiDataType_S64, &entered, &minimum, &maximum, with_unit("%lld", row.unit).c_str(),
                         slider_flags(static_cast<double>(minimum), static_cast<double>(maximum)));
   } else {
     ImGui::InputScalar("##value", ImGuiDataType_S64, &entered, nullptr, nullptr, "%lld");

@@ -50,13 +50,15 @@ struct ButtonInfo {
   std::string_view tooltip = {};
   /// Why it cannot be pressed now, shown in its tooltip; "" when it can.
   std::string_view unavailable = {};
+  /// In the widget map; "": as the label.
+  std::string_view name = {};
   ButtonLook look = ButtonLook::plain;
   ImVec2 size = {0, 0};  ///< pixels; 0: as the label needs, -1: all that is left
 };
 /// A button; `label` may hold an ImGui id after "##".
 bool button(const char* label, const ButtonInfo& info = {});
 
-/// What a row of a panel says about its value. A row is: label, entry, unit, dot when changed, reset.
+/// What a row of a panel says about its value. A row is: label, entry with unit, dot when changed that resets it.
 struct Row {
   std::string label;
   std::string unit = {};

@@ -35,11 +35,12 @@ constexpr const char* remedy_display =
 // X tells of a lost display through a function without any data of ours: these are the one window's events.
 const WindowEvents* events_of_the_window = nullptr;
 
-[[noreturn]] void fail_without_opengl(const char* format, va_list arguments, void*) {
+[[noreturn]] void fail_without_window(const char* format, va_list arguments, void*) {
   // freeglut cannot go on from here, nor unwind; nothing has been opened yet that could be lost.
-  std::fprintf(stderr, "OpenGL: version 3.3 is needed and this display does not give it (");
+  std::fputs("erg: the window cannot be opened: ", stderr);
   std::vfprintf(stderr, format, arguments);
-  std::fprintf(stderr, "); install a newer driver, or libgl1-mesa-dri to draw on the processor\n");
+  std::fputs("; OpenGL version 3.3 is needed: install a newer driver, or libgl1-mesa-dri to draw on the processor\n",
+             stderr);
   std::_Exit(1);
 }
 
@@ -228,7 +229,7 @@ Window::Window(const WindowOptions& options) {
   int count = 1;
   char name[] = "erg";
   char* arguments[] = {name, nullptr};
-  glutInitErrorFuncUcall(fail_without_opengl, nullptr);
+  glutInitErrorFuncUcall(fail_without_window, nullptr);
   glutInitWarningFuncUcall(ignore_warning, nullptr);
   glutInit(&count, arguments);
   glutInitContextVersion(3, 3);

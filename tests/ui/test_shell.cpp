@@ -219,8 +219,8 @@ TEST_F(ShellHand, PanelsFoldAndColumnsAreDraggedAndBothAreRemembered) {
   EXPECT_EQ(studio.settings().layout.at("fold SETUP"), 0);
   const WidgetPlace edge = hand.place("edge left");
   hand.drag(edge.middle(), ImVec2(edge.middle().x + 60, edge.middle().y));
-  EXPECT_NEAR(studio.settings().layout.at("left width"), 360, 6);
-  EXPECT_NEAR(hand.place("land").low.x, 360, 8);
+  EXPECT_NEAR(studio.settings().layout.at("left width"), 390, 6);
+  EXPECT_NEAR(hand.place("land").low.x, 390, 8);
   hand.key(keys::function + 2);
   EXPECT_FALSE(hand.has("edge left"));
   EXPECT_EQ(hand.place("land").low.x, 0);
