@@ -25,7 +25,7 @@ class LandGround {
 
 /// What the hand does in one frame. Lengths are shares of the picture's height.
 struct CameraInput {
-  PicturePoint cursor;  ///< where the pointer is
+  PicturePoint cursor = {};  ///< where the pointer is
   bool orbit = false;   ///< a drag that turns the camera round its target
   bool pan = false;     ///< a drag that shifts the land
   bool look = false;    ///< a drag that turns the view about the eye
