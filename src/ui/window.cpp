@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdarg>
 #include <cstdio>
@@ -35,13 +36,25 @@ constexpr const char* remedy_display =
 // X tells of a lost display through a function without any data of ours: these are the one window's events.
 const WindowEvents* events_of_the_window = nullptr;
 
-[[noreturn]] void fail_without_window(const char* format, va_list arguments, void*) {
-  // freeglut cannot go on from here, nor unwind; nothing has been opened yet that could be lost.
-  std::fputs("erg: the window cannot be opened: ", stderr);
-  std::vfprintf(stderr, format, arguments);
-  std::fputs("; OpenGL version 3.3 is needed: install a newer driver, or libgl1-mesa-dri to draw on the processor\n",
-             stderr);
+[[noreturn]] void fail_without_window(const char* why) {
+  // Neither freeglut nor Xlib can go on from here, nor unwind; nothing has been opened yet that could be lost.
+  std::fprintf(stderr,
+               "erg: the window cannot be opened: %s; OpenGL version 3.3 is needed: install a newer driver, or "
+               "libgl1-mesa-dri to draw on the processor\n",
+               why);
   std::_Exit(1);
+}
+
+void take_glut_error(const char* format, va_list arguments, void*) {
+  std::array<char, 256> why{};
+  std::vsnprintf(why.data(), why.size(), format, arguments);
+  fail_without_window(why.data());
+}
+
+int take_x_error(::Display* display, XErrorEvent* event) {
+  std::array<char, 256> why{};
+  XGetErrorText(display, event->error_code, why.data(), static_cast<int>(why.size()));
+  fail_without_window(why.data());
 }
 
 void ignore_warning(const char*, va_list, void*) {}
@@ -229,7 +242,8 @@ Window::Window(const WindowOptions& options) {
   int count = 1;
   char name[] = "erg";
   char* arguments[] = {name, nullptr};
-  glutInitErrorFuncUcall(fail_without_window, nullptr);
+  glutInitErrorFuncUcall(take_glut_error, nullptr);
+  const XErrorHandler usual = XSetErrorHandler(take_x_error);
   glutInitWarningFuncUcall(ignore_warning, nullptr);
   glutInit(&count, arguments);
   glutInitContextVersion(3, 3);
@@ -238,6 +252,7 @@ Window::Window(const WindowOptions& options) {
   glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
   glutInitWindowSize(options.width, options.height);
   const int handle = glutCreateWindow(options.title.c_str());
+  XSetErrorHandler(usual);
   load_gl();
   hidden_ = std::make_unique<Hidden>();
   hidden_->handle = handle;

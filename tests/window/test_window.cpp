@@ -89,7 +89,7 @@ TEST(Window, ALostDisplayEndsTheProgramWithTheLandSaved) {
   // What was saved is offered at the next start.
   const Display next;
   DesktopHand again(next, folder.path(), {});
-  again.wait_for("RECOVERY/RECOVER");
+  again.wait_for("RECOVERY/session 1/RECOVER");
   keep_picture(again, "recovery.png");
 }
 
