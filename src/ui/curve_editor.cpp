@@ -64,7 +64,6 @@ void draw_now(const PlotArea& area, const std::optional<double>& cursor) {
 
 /// One number beside the curve; true when it was typed anew.
 bool typed_share(const char* name, const char* meaning, double& share) {
-  ImGui::SameLine();
   ImGui::SetNextItemWidth(ImGui::CalcTextSize("0.000").x + 2 * ImGui::GetStyle().FramePadding.x);
   double value = share;
   const bool edited = ImGui::InputDouble(name, &value, 0, 0, "%.3g");
@@ -80,8 +79,11 @@ bool typed_share(const char* name, const char* meaning, double& share) {
 bool typed_point(const char* name, CurvePoint& point) {
   const WidgetScope scope(name);
   ImGui::AlignTextToFramePadding();
+  const float left = ImGui::GetCursorPosX();
   ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(left + ImGui::CalcTextSize("start ").x);
   const bool across = typed_share("##x", "How far along the time the curve is pulled, 0 to 1.", point.x);
+  ImGui::SameLine();
   const bool up = typed_share("##y", "How far from the first to the last value it is pulled, 0 to 1.", point.y);
   return across || up;
 }
@@ -162,12 +164,11 @@ bool edit_curve(const char* id, BezierCurve& curve, const CurveFrame& frame) {
   snap_hint(box.area);
   changed = typed_point("start", curve.first) || changed;
   ImGui::SameLine();
-  changed = typed_point("end", curve.second) || changed;
-  ImGui::SameLine();
   if (reset_button(curve == BezierCurve{})) {
     curve = {};
     changed = true;
   }
+  changed = typed_point("end", curve.second) || changed;
   return changed;
 }
 

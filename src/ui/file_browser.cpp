@@ -100,17 +100,8 @@ void FileBrowser::draw_path_line() {
   tooltip("Only names that contain this.");
 }
 
-void FileBrowser::draw_entries() {
-  const float below = (asked_about_.empty() ? 2.2f : 3.4f) * ImGui::GetFrameHeightWithSpacing();
-  constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter |
-                                    ImGuiTableFlags_SizingStretchProp;
-  if (!ImGui::BeginTable("files", 3, flags, {0, -below})) return;
+std::optional<fs::path> FileBrowser::draw_rows() {
   const WidgetScope scope("files");
-  ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("name", 0, 4);
-  ImGui::TableSetupColumn("size", 0, 1.1f);
-  ImGui::TableSetupColumn("changed", 0, 2);
-  ImGui::TableHeadersRow();
   std::optional<fs::path> next;
   for (const FolderEntry& entry : listing_.entries) {
     ImGui::TableNextColumn();
@@ -129,6 +120,20 @@ void FileBrowser::draw_entries() {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", entry.changed.c_str());
   }
+  return next;
+}
+
+void FileBrowser::draw_entries() {
+  const float below = (asked_about_.empty() ? 2.2f : 3.4f) * ImGui::GetFrameHeightWithSpacing();
+  constexpr ImGuiTableFlags flags =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter | ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable("files", 3, flags, {0, -below})) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("name", 0, 4);
+  ImGui::TableSetupColumn("size", 0, 1.1f);
+  ImGui::TableSetupColumn("changed", 0, 2);
+  ImGui::TableHeadersRow();
+  const std::optional<fs::path> next = draw_rows();
   ImGui::EndTable();
   if (next) go_to(*next);
 }

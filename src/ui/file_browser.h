@@ -38,6 +38,7 @@ class FileBrowser {
   void draw_places(Studio& studio);
   void draw_path_line();
   void draw_entries();
+  std::optional<std::filesystem::path> draw_rows();  ///< a folder that was clicked
   void draw_name_line();
   void draw_question();
   void choose(const std::filesystem::path& path);
