@@ -1,6 +1,7 @@
 #include "ui/window.h"
 
 #include <imgui.h>
+#include <poll.h>
 
 #include <algorithm>
 #include <array>
@@ -131,10 +132,7 @@ struct Window::Hidden {
       leave();
     }
   }
-  void leave() {
-    running = false;
-    glutLeaveMainLoop();
-  }
+  void leave() { running = false; }
   void wake() {
     redraw = settling_frames;
     glutPostRedisplay();
@@ -148,17 +146,18 @@ struct Window::Hidden {
     glutSwapBuffers();
     redraw = std::max(redraw - 1, 0);
   }
-  void tick() {
-    if (!running) return;
+  // Whether the next frame should come by itself.
+  bool is_busy() {
     clipboard.answer();
     bool busy = redraw > 0;
     guarded([&] { busy = events.busy() || busy; });
-    if (busy) glutPostRedisplay();
-    next_tick(busy ? frame_milliseconds : rest_milliseconds);
+    return busy;
   }
-  void next_tick(unsigned milliseconds) {
-    glutTimerFuncUcall(
-        milliseconds, [](int, void* data) { static_cast<Hidden*>(data)->tick(); }, 0, this);
+  // Sleeps until there is input, but no longer than a frame while busy.
+  static void wait_for_input(::Display* display, bool busy) {
+    if (XPending(display) > 0) return;
+    pollfd waiting{ConnectionNumber(display), POLLIN, 0};
+    poll(&waiting, 1, busy ? frame_milliseconds : rest_milliseconds);
   }
 
   void take_modifiers() const {
@@ -284,8 +283,14 @@ void Window::run(const WindowEvents& events) {
     // Xlib ends the program when this returns; without the destructors of a window that is no more.
     std::_Exit(1);
   });
-  hidden_->next_tick(frame_milliseconds);
-  glutMainLoop();
+  // freeglut's own loop would take the OpenGL context away at its end, before those who drew with it let go of it.
+  ::Display* const display = glXGetCurrentDisplay();
+  while (hidden_->running) {
+    glutMainLoopEvent();
+    const bool busy = hidden_->is_busy();
+    if (busy) glutPostRedisplay();
+    Hidden::wait_for_input(display, busy);
+  }
   if (hidden_->failure) std::rethrow_exception(hidden_->failure);
 }
 
