@@ -7,6 +7,7 @@
 #include <deque>
 #include <fstream>
 #include <map>
+#include <stdexcept>
 
 #include "io/image.h"
 #include "ui/gui_renderer.h"
@@ -182,10 +183,15 @@ void Desktop::draw(int width, int height, float seconds) {
 }
 
 void Desktop::run() {
-  window_.run({.draw = [this](int width, int height, float seconds) { draw(width, height, seconds); },
-               .busy = [this] { return busy(); },
-               .may_close = [] { return true; },
-               .display_lost = [this] { return "the display is gone: " + studio_.rescue(); }});
+  try {
+    window_.run({.draw = [this](int width, int height, float seconds) { draw(width, height, seconds); },
+                 .busy = [this] { return busy(); },
+                 .may_close = [] { return true; },
+                 .display_lost = [this] { return "the display is gone: " + studio_.rescue(); }});
+  } catch (const std::exception& error) {
+    // The window cannot go on, but what runs in it is whole.
+    throw std::runtime_error(std::string(error.what()) + "; " + studio_.rescue());
+  }
 }
 
 }  // namespace

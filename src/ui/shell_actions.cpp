@@ -83,11 +83,15 @@ void Shell::make_view_actions() {
     actions_.push_back({.menu = "View", .label = label, .key = key, .act = view(preset), .unavailable = nothing});
   }
   actions_.push_back({.menu = "View",
+                      .label = "Compare\u2026",
+                      .key = f(4),
+                      .act = [this] { open(panel_title::compare); },
+                      .line_above = true});
+  actions_.push_back({.menu = "View",
                       .label = "Panels",
                       .key = f(2),
                       .act = [this] { columns_shown_ = !columns_shown_; },
-                      .checked = [this] { return columns_shown_; },
-                      .line_above = true});
+                      .checked = [this] { return columns_shown_; }});
   actions_.push_back({.menu = "View",
                       .label = "Dark",
                       .act = [this] { studio_.settings().dark = !studio_.settings().dark; },

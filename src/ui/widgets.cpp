@@ -85,15 +85,22 @@ RowEvent end_row(const Row& row, RowEvent event) {
 // Sliders open for typing with a double click too, which ImGui has for drags only: Ctrl and a click does it there.
 class TypingOnDoubleClick {
  public:
-  TypingOnDoubleClick() : ctrl_(ImGui::GetIO().KeyCtrl) {
-    if (ImGui::GetIO().MouseDoubleClicked[0]) ImGui::GetIO().KeyCtrl = true;
+  TypingOnDoubleClick() : ctrl_(ImGui::GetIO().KeyCtrl), modifiers_(ImGui::GetIO().KeyMods) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (!io.MouseDoubleClicked[0]) return;
+    io.KeyCtrl = true;
+    io.KeyMods |= ImGuiKeyModFlags_Ctrl;
   }
-  ~TypingOnDoubleClick() { ImGui::GetIO().KeyCtrl = ctrl_; }
+  ~TypingOnDoubleClick() {
+    ImGui::GetIO().KeyCtrl = ctrl_;
+    ImGui::GetIO().KeyMods = modifiers_;
+  }
   TypingOnDoubleClick(const TypingOnDoubleClick&) = delete;
   TypingOnDoubleClick& operator=(const TypingOnDoubleClick&) = delete;
 
  private:
   bool ctrl_;
+  ImGuiKeyModFlags modifiers_;
 };
 
 ImGuiSliderFlags slider_flags(double minimum, double maximum) {

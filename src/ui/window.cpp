@@ -1,8 +1,10 @@
 #include "ui/window.h"
 
 #include <imgui.h>
+#include <poll.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdarg>
 #include <cstdio>
@@ -35,13 +37,25 @@ constexpr const char* remedy_display =
 // X tells of a lost display through a function without any data of ours: these are the one window's events.
 const WindowEvents* events_of_the_window = nullptr;
 
-[[noreturn]] void fail_without_window(const char* format, va_list arguments, void*) {
-  // freeglut cannot go on from here, nor unwind; nothing has been opened yet that could be lost.
-  std::fputs("erg: the window cannot be opened: ", stderr);
-  std::vfprintf(stderr, format, arguments);
-  std::fputs("; OpenGL version 3.3 is needed: install a newer driver, or libgl1-mesa-dri to draw on the processor\n",
-             stderr);
+[[noreturn]] void fail_without_window(const char* why) {
+  // Neither freeglut nor Xlib can go on from here, nor unwind; nothing has been opened yet that could be lost.
+  std::fprintf(stderr,
+               "erg: the window cannot be opened: %s; OpenGL version 3.3 is needed: install a newer driver, or "
+               "libgl1-mesa-dri to draw on the processor\n",
+               why);
   std::_Exit(1);
+}
+
+void take_glut_error(const char* format, va_list arguments, void*) {
+  std::array<char, 256> why{};
+  std::vsnprintf(why.data(), why.size(), format, arguments);
+  fail_without_window(why.data());
+}
+
+int take_x_error(::Display* display, XErrorEvent* event) {
+  std::array<char, 256> why{};
+  XGetErrorText(display, event->error_code, why.data(), static_cast<int>(why.size()));
+  fail_without_window(why.data());
 }
 
 void ignore_warning(const char*, va_list, void*) {}
@@ -118,10 +132,7 @@ struct Window::Hidden {
       leave();
     }
   }
-  void leave() {
-    running = false;
-    glutLeaveMainLoop();
-  }
+  void leave() { running = false; }
   void wake() {
     redraw = settling_frames;
     glutPostRedisplay();
@@ -135,17 +146,18 @@ struct Window::Hidden {
     glutSwapBuffers();
     redraw = std::max(redraw - 1, 0);
   }
-  void tick() {
-    if (!running) return;
+  // Whether the next frame should come by itself.
+  bool is_busy() {
     clipboard.answer();
     bool busy = redraw > 0;
     guarded([&] { busy = events.busy() || busy; });
-    if (busy) glutPostRedisplay();
-    next_tick(busy ? frame_milliseconds : rest_milliseconds);
+    return busy;
   }
-  void next_tick(unsigned milliseconds) {
-    glutTimerFuncUcall(
-        milliseconds, [](int, void* data) { static_cast<Hidden*>(data)->tick(); }, 0, this);
+  // Sleeps until there is input, but no longer than a frame while busy.
+  static void wait_for_input(::Display* display, bool busy) {
+    if (XPending(display) > 0) return;
+    pollfd waiting{ConnectionNumber(display), POLLIN, 0};
+    poll(&waiting, 1, busy ? frame_milliseconds : rest_milliseconds);
   }
 
   void take_modifiers() const {
@@ -229,7 +241,8 @@ Window::Window(const WindowOptions& options) {
   int count = 1;
   char name[] = "erg";
   char* arguments[] = {name, nullptr};
-  glutInitErrorFuncUcall(fail_without_window, nullptr);
+  glutInitErrorFuncUcall(take_glut_error, nullptr);
+  const XErrorHandler usual = XSetErrorHandler(take_x_error);
   glutInitWarningFuncUcall(ignore_warning, nullptr);
   glutInit(&count, arguments);
   glutInitContextVersion(3, 3);
@@ -238,6 +251,7 @@ Window::Window(const WindowOptions& options) {
   glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
   glutInitWindowSize(options.width, options.height);
   const int handle = glutCreateWindow(options.title.c_str());
+  XSetErrorHandler(usual);
   load_gl();
   hidden_ = std::make_unique<Hidden>();
   hidden_->handle = handle;
@@ -269,8 +283,14 @@ void Window::run(const WindowEvents& events) {
     // Xlib ends the program when this returns; without the destructors of a window that is no more.
     std::_Exit(1);
   });
-  hidden_->next_tick(frame_milliseconds);
-  glutMainLoop();
+  // freeglut's own loop would take the OpenGL context away at its end, before those who drew with it let go of it.
+  ::Display* const display = glXGetCurrentDisplay();
+  while (hidden_->running) {
+    glutMainLoopEvent();
+    const bool busy = hidden_->is_busy();
+    if (busy) glutPostRedisplay();
+    Hidden::wait_for_input(display, busy);
+  }
   if (hidden_->failure) std::rethrow_exception(hidden_->failure);
 }
 

@@ -116,8 +116,6 @@ std::map<std::string, DesktopHand::Place> DesktopHand::places() const {
   return found;
 }
 
-bool DesktopHand::has(const std::string& name) const { return places().count(name) > 0; }
-
 void DesktopHand::wait_for(const std::string& name, bool any) const {
   const bool came = soon([&] {
     const auto all = places();
@@ -125,15 +123,6 @@ void DesktopHand::wait_for(const std::string& name, bool any) const {
     return found != all.end() && (any || found->second.enabled);
   });
   if (!came) throw std::runtime_error("no widget \"" + name + "\" among:\n" + read_all(map_) + errors());
-}
-
-void DesktopHand::wait_until_off(const std::string& name) const {
-  const bool went = soon([&] {
-    const auto all = places();
-    const auto found = all.find(name);
-    return found == all.end() || !found->second.enabled;
-  });
-  if (!went) throw std::runtime_error("widget \"" + name + "\" stays on");
 }
 
 DesktopHand::Place DesktopHand::place(const std::string& name) const {

@@ -40,9 +40,6 @@ class DesktopHand {
   /// Waits until a widget is there (and can be used, unless `any`). Throws std::runtime_error with all names when it
   /// does not come.
   void wait_for(const std::string& name, bool any = false) const;
-  /// Waits until it is there and cannot be used, or is not there at all.
-  void wait_until_off(const std::string& name) const;
-  bool has(const std::string& name) const;
 
   void click(const std::string& name) const;
   /// Presses on a widget, moves by so many pixels, lets go.

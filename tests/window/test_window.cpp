@@ -35,10 +35,10 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   hand.key("space");
   hand.wait_for("RUN/step");
 
+  hand.click("SETUP/Model");  // folded away, so that the grid is in sight
   hand.enter("SETUP/grid/Cells east", "96");
   hand.enter("SETUP/grid/Cells north", "96");
   hand.click("SETUP/CREATE");
-  hand.wait_until_off("SETUP/CREATE");
   hand.enter("RUN/steps to run", "200");
   hand.click("RUN/run");
   hand.wait_for("RUN/step");
@@ -58,11 +58,6 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   EXPECT_EQ(saved.grid.integer("nx"), 96);
   EXPECT_FALSE(saved.wind.seasons.front().curve == BezierCurve{});
 
-  hand.key("ctrl+o");
-  hand.click("OPEN/files/mine.json");
-  hand.click("OPEN/OPEN");
-  hand.wait_for("RUN/step");
-
   hand.key("F12");
   hand.enter("PICTURE/width", "320");
   hand.enter("PICTURE/height", "200");
@@ -70,9 +65,16 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   hand.click("PICTURE/SAVE");
   hand.wait_for("PICTURE/saved", true);
   keep_picture(hand, "picture_dialog.png");
+  hand.key("Escape");
+
+  hand.key("ctrl+o");
+  hand.click("OPEN/files/mine.json");
+  hand.click("OPEN/OPEN");
+  hand.wait_for("RUN/step");
   hand.key("ctrl+q");
   EXPECT_EQ(hand.wait(), 0) << hand.errors();
-  EXPECT_EQ(read_bytes(folder / "mine-0.png").substr(1, 3), "PNG");
+  // The name carries the step that it shows.
+  EXPECT_EQ(read_bytes(folder / "mine-200.png").substr(1, 3), "PNG");
   EXPECT_TRUE(std::filesystem::exists(folder / "config" / "erg" / "settings.json"));
 }
 
@@ -89,7 +91,7 @@ TEST(Window, ALostDisplayEndsTheProgramWithTheLandSaved) {
   // What was saved is offered at the next start.
   const Display next;
   DesktopHand again(next, folder.path(), {});
-  again.wait_for("RECOVERY/RECOVER");
+  again.wait_for("RECOVERY/session 1/RECOVER");
   keep_picture(again, "recovery.png");
 }
 
