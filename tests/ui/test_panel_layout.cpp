@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 
+#include "io/image.h"
 #include "panel_hand.h"
+#include "picture_of_gui.h"
 
 namespace erg::test {
 namespace {
@@ -38,12 +41,21 @@ float overhang(const char* title) {
   return window->ContentSize.x - (window->Size.x - 2 * window->WindowPadding.x);
 }
 
+/// The panel's window, as high as its content.
+RgbImage picture_of(PanelHand& panel, const char* title) {
+  const ImGuiWindow* window = ImGui::FindWindowByName(title);
+  const float content = window->ContentSize.y + 2 * window->WindowPadding.y;
+  RgbImage picture(static_cast<int>(window->Size.x), static_cast<int>(std::min(window->Size.y, content)));
+  picture.paste(picture_of_gui(panel.hand.gui(), ImGui::GetIO().DisplaySize), 0, 0);
+  return picture;
+}
+
 void look_at(PanelHand& panel, const char* title) {
   panel.hand.move({-1, -1});
   panel.hand.frames(3);
   EXPECT_LE(overhang(title), 1) << title << " is cut off";
   if (const char* folder = std::getenv("ERG_PICTURES")) {
-    panel.hand.save_png(std::filesystem::path(folder) / file_name(title));
+    write_png(std::filesystem::path(folder) / file_name(title), picture_of(panel, title), {});
   }
 }
 
