@@ -1,4 +1,5 @@
 // NUMBERS: the run's numbers over time, and how heights and slopes are spread.
+#include <algorithm>
 #include <array>
 
 #include "io/run_numbers.h"
@@ -31,6 +32,13 @@ std::string with_unit(const RunNumber& number) {
   return number.unit.empty() ? number.label : number.label + ", " + number.unit;
 }
 
+std::size_t column_of(const std::string& key) {
+  const std::vector<RunNumber>& numbers = run_numbers();
+  const auto place =
+      std::find_if(numbers.begin(), numbers.end(), [&](const RunNumber& number) { return number.key == key; });
+  return static_cast<std::size_t>(place - numbers.begin());
+}
+
 class NumbersPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::numbers; }
@@ -44,7 +52,7 @@ class NumbersPanel final : public Panel {
   void draw_spread(const RunSnapshot& run);
   void save(Studio& studio);
 
-  std::vector<std::size_t> columns_{1};  ///< of run_numbers(), those that are plotted
+  std::vector<std::size_t> columns_{column_of("max_slabs")};  ///< of run_numbers(), those that are plotted
   std::size_t spread_ = 0;
   Histogram histogram_;
   std::uint64_t measured_version_ = 0;

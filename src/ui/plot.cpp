@@ -94,6 +94,8 @@ PlotFrame with_ranges(PlotFrame frame, std::span<const PlotLine> lines) {
   if (frame.from_zero) widen(y, std::vector<double>{0.0});
   if (!frame.x) frame.x = x.high > x.low ? x : round_range(x, 5);
   if (!frame.y) frame.y = round_range(y, 5);
+  // The names of the bands stand above the lines.
+  if (!frame.bands.empty()) frame.y->high += 0.3 * (frame.y->high - frame.y->low);
   return frame;
 }
 
@@ -171,7 +173,7 @@ PlotArea draw_axes(const char* id, const PlotFrame& frame) {
   area.x = frame.x.value_or(AxisRange{});
   area.y = frame.y.value_or(AxisRange{});
   const float below = gap + line + (frame.x_label.empty() ? 0 : line + gap);
-  const Ticks up = round_ticks(area.y, tick_room(height - below, 2 * line));
+  const Ticks up = round_ticks(area.y, tick_room(height - below, 1.6f * line));
   area.upper_left = {corner.x + widest_tick(up) + gap, corner.y + line / 2};
   area.lower_right = {corner.x + width - 2, corner.y + height - below};
 
@@ -179,7 +181,7 @@ PlotArea draw_axes(const char* id, const PlotFrame& frame) {
   list.AddRectFilled(area.upper_left, area.lower_right, ImGui::GetColorU32(ImGuiCol_FrameBg));
   for (std::size_t band = 0; band < frame.bands.size(); ++band) draw_band(area, frame.bands[band], band % 2 == 1);
   draw_ticks_up(area, up);
-  draw_ticks_across(area, round_ticks(area.x, tick_room(area.lower_right.x - area.upper_left.x, 4 * line)),
+  draw_ticks_across(area, round_ticks(area.x, tick_room(area.lower_right.x - area.upper_left.x, 3.5f * line)),
                     corner.x + width);
   list.AddLine({area.upper_left.x, area.lower_right.y}, area.lower_right, ImGui::GetColorU32(ImGuiCol_TextDisabled));
   if (!frame.x_label.empty()) {

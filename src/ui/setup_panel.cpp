@@ -1,6 +1,4 @@
 // SETUP: what the run is made of.
-#include <algorithm>
-
 #include "studio/studio.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"
@@ -88,13 +86,18 @@ void SetupPanel::draw_model(Setup& setup) {
     setup.choose_material(material == "sand" ? Material::sand : Material::snow);
   }
   const std::vector<const ModelType*> models = Setup::models_of(setup.material());
-  std::vector<std::string> titles;
-  for (const ModelType* model : models) titles.push_back(model->info.title);
-  std::string chosen = setup.model().info.title;
-  if (choice_row({.label = "model", .tooltip = setup.model().info.citation, .needs_new_terrain = true}, chosen,
-                 titles) == RowEvent::changed) {
-    const auto place = std::find(titles.begin(), titles.end(), chosen) - titles.begin();
-    setup.choose_model(models[static_cast<std::size_t>(place)]->info.key);
+  // The whole width: titles are long.
+  ImGui::SetNextItemWidth(-1);
+  const bool open = ImGui::BeginCombo("##model", setup.model().info.title.c_str());
+  if (!open) mark("model");
+  if (!open) tooltip("The model. " + setup.model().info.citation);
+  if (open) {
+    for (const ModelType* model : models) {
+      if (ImGui::Selectable(model->info.title.c_str(), model == &setup.model())) setup.choose_model(model->info.key);
+      mark("model=" + model->info.title);
+      tooltip("Makes " + model->info.makes + ".");
+    }
+    ImGui::EndCombo();
   }
   const ModelInfo& info = setup.model().info;
   explain("Makes " + info.makes + ".");

@@ -115,7 +115,7 @@ bool wind_dial(const char* id, double& bearing, float size) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 middle{corner.x + size / 2, corner.y + size / 2};
   const float letter = ImGui::GetTextLineHeight();
-  const float radius = size / 2 - letter - 2;
+  const float radius = size / 2 - letter - 8;
   ImGui::InvisibleButton(id, {size, size});
   mark(id);
   const bool active = ImGui::IsItemActive();
@@ -127,7 +127,7 @@ bool wind_dial(const char* id, double& bearing, float size) {
     bearing = turned;
   }
   draw_compass(middle, radius);
-  draw_letters(middle, radius + letter / 2 + 2);
+  draw_letters(middle, radius + letter / 2 + 8);  // beyond the hand's grip
   draw_hand(middle, bearing, radius, active || hovered);
   if (!active) tooltip("Drag to where the wind blows from; with Shift to a point of the compass.");
   return changed;
@@ -138,7 +138,7 @@ bool type_bearing(const char* id, double& bearing) {
   std::string text = figure_text(bearing, 5);
   ImGui::SetNextItemWidth(ImGui::CalcTextSize("000.00").x + 2 * ImGui::GetStyle().FramePadding.x + 8);
   const double before = bearing;
-  const bool edited = ImGui::InputText(id, &text);
+  const bool edited = ImGui::InputText((std::string("##") + id).c_str(), &text);
   mark(id);
   tooltip("Where the wind blows from: degrees clockwise from north, or a point of the compass such as W or NNE.");
   if (edited) {

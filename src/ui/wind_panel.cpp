@@ -14,7 +14,7 @@
 namespace erg {
 namespace {
 
-constexpr std::size_t cycle_samples = 400;
+constexpr std::size_t cycle_samples = 400;  // at most
 
 /// "5" or "3 to 8".
 std::string strength_text(const Season& season) {
@@ -199,7 +199,8 @@ void WindPanel::draw_curve(WindEditor wind, const Studio& studio, const std::str
 }
 
 void WindPanel::draw_cycle(const WindEditor& wind, std::int64_t step, const std::string& strength_label) const {
-  const WindCycle cycle = sample_cycle(wind.regime(), cycle_samples);
+  const auto steps_of_cycle = static_cast<std::size_t>(std::max<std::int64_t>(2, wind.regime().cycle()));
+  const WindCycle cycle = sample_cycle(wind.regime(), std::min(cycle_samples, steps_of_cycle));
   std::vector<double> steps(cycle.steps.begin(), cycle.steps.end());
   PlotFrame frame;
   frame.x_label = "step of the cycle";
@@ -207,7 +208,7 @@ void WindPanel::draw_cycle(const WindEditor& wind, std::int64_t step, const std:
   frame.x = AxisRange{0, static_cast<double>(cycle.length)};
   frame.from_zero = true;
   frame.cursor = static_cast<double>(cycle.position(step));
-  frame.height = Gui::current().px(120);
+  frame.height = Gui::current().px(150);
   for (std::size_t index = 0; index < cycle.season_starts.size(); ++index) {
     const bool last = index + 1 == cycle.season_starts.size();
     const std::int64_t end = last ? cycle.length : cycle.season_starts[index + 1];

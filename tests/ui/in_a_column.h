@@ -9,6 +9,11 @@
 
 namespace erg::test {
 
+inline void hold_shift(bool down) {
+  ImGui::GetIO().KeyShift = down;
+  ImGui::GetIO().KeyMods = down ? ImGuiKeyModFlags_Shift : ImGuiKeyModFlags_None;
+}
+
 inline UiHarness in_a_column(std::function<void()> draw, float width = 330) {
   return UiHarness(
       [draw = std::move(draw), width] {

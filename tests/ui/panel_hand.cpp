@@ -27,10 +27,10 @@ PanelHand::PanelHand(std::unique_ptr<Panel> panel, const std::function<void(cons
     : studio(folders_in(folder, prepare)),
       panel_(std::move(panel)),
       hand([this] { draw(); }, size_of(*panel_).x > 700 ? size_of(*panel_) : ImVec2{800, size_of(*panel_).y}) {
-  studio.settings().last_folder = folder.path().string();
 }
 
 void PanelHand::draw() {
+  if (studio.settings().last_folder.empty()) studio.settings().last_folder = folder.path().string();
   studio.tick();
   Desk desk{studio, land, LandTool::camera, {}, {}, {}, {}, {}};
   desk.open = [this](const std::string& title) { opened.push_back(title); };

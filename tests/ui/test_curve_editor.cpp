@@ -55,9 +55,9 @@ TEST(CurveEditor, APointDraggedOutOfTheBoxStaysInIt) {
 
 TEST(CurveEditor, ShiftSnapsToTenths) {
   CurveHand box;
-  ImGui::GetIO().KeyShift = true;
+  hold_shift(true);
   box.hand.drag(box.hand.place("curve/first").middle(), in_box(box.hand, 0.72, 0.18));
-  ImGui::GetIO().KeyShift = false;
+  hold_shift(false);
   EXPECT_DOUBLE_EQ(box.curve.first.x, 0.7);
   EXPECT_DOUBLE_EQ(box.curve.first.y, 0.2);
 }

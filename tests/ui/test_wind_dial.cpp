@@ -28,9 +28,9 @@ TEST(WindDial, TurnsToWhereItIsDragged) {
 
 TEST(WindDial, ShiftSnapsToPointsOfTheCompass) {
   DialHand dial;
-  ImGui::GetIO().KeyShift = true;
+  hold_shift(true);
   dial.hand.drag("dial", {0.1f, 0.5f}, {0.8f, 0.22f});
-  ImGui::GetIO().KeyShift = false;
+  hold_shift(false);
   EXPECT_DOUBLE_EQ(dial.bearing, 45);
 }
 
