@@ -11,6 +11,13 @@ namespace {
 
 constexpr int f(int number) { return keys::function + number; }
 
+bool is_below(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  if (folder.empty()) return false;
+  std::error_code ignored;
+  const std::filesystem::path way = std::filesystem::relative(file, folder, ignored);
+  return !way.empty() && *way.begin() != "..";
+}
+
 }  // namespace
 
 void Shell::make_actions() {
@@ -27,7 +34,8 @@ void Shell::make_file_actions() {
   const auto shows = [this](const char* title) { return [this, title] { open(title); }; };
   const auto nothing = [this] { return why_nothing_to_save(); };
   const auto save = [this] {
-    if (studio_.file().empty() || studio_.file().extension() != ".json") {
+    // Presets are there to start from: they are not written over.
+    if (studio_.file().extension() != ".json" || is_below(studio_.file(), studio_.folders().presets)) {
       open(panel_title::save);
     } else {
       studio_.save_config(studio_.file());
