@@ -18,14 +18,19 @@ enum ExitCode : int {
 using Action = std::function<ExitCode()>;
 
 /// Each of these adds one command (its options and help) to `program`; when it is named, `action` is set.
+void add_gui_command(CLI::App& program, Action& action);
 void add_run_command(CLI::App& program, Action& action);
 void add_render_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
 void add_models_command(CLI::App& program, Action& action);
 void add_model_command(CLI::App& program, Action& action);
 void add_presets_command(CLI::App& program, Action& action);
+void add_gallery_command(CLI::App& program, Action& action);
 void add_schema_command(CLI::App& program, Action& action);
 void add_bench_command(CLI::App& program, Action& action);
 void add_validate_command(CLI::App& program, Action& action);
+
+/// What `erg` does when no command is named.
+ExitCode open_gallery_window();
 
 }  // namespace erg

@@ -9,18 +9,20 @@ namespace erg {
 namespace {
 
 ExitCode run_program(int argument_count, char** arguments) {
-  CLI::App program("Erg grows sand dunes on a grid, from a config file.", "erg");
+  CLI::App program("Erg grows sand dunes and wind-blown snow on a grid. Without a command it opens its window.", "erg");
   program.set_version_flag("--version", "erg " ERG_VERSION);
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);
   program.footer("`erg COMMAND --help` shows the options of a command.");
 
-  Action action;
+  Action action = open_gallery_window;
+  add_gui_command(program, action);
   add_run_command(program, action);
   add_render_command(program, action);
   add_check_command(program, action);
   add_models_command(program, action);
   add_model_command(program, action);
   add_presets_command(program, action);
+  add_gallery_command(program, action);
   add_schema_command(program, action);
   add_bench_command(program, action);
   add_validate_command(program, action);

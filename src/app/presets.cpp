@@ -1,7 +1,5 @@
 #include "app/presets.h"
 
-#include <algorithm>
-
 #include "core/errors.h"
 
 namespace erg {
@@ -17,23 +15,7 @@ fs::path presets_folder() {
   return fs::is_directory(source) ? source : fs::path();
 }
 
-std::vector<Preset> presets() {
-  std::vector<Preset> found;
-  const fs::path folder = presets_folder();
-  if (folder.empty()) return found;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.path().extension() != ".json") continue;
-    fs::path name = entry.path().lexically_relative(folder);
-    found.push_back({name.replace_extension().generic_string(), entry.path()});
-  }
-  // Those at the top first, then the folders.
-  std::sort(found.begin(), found.end(), [](const Preset& a, const Preset& b) {
-    const bool a_deep = a.name.find('/') != std::string::npos;
-    const bool b_deep = b.name.find('/') != std::string::npos;
-    return a_deep != b_deep ? b_deep : a.name < b.name;
-  });
-  return found;
-}
+std::vector<Preset> presets() { return list_presets(presets_folder()); }
 
 std::string config_path(const std::string& name) {
   if (fs::is_regular_file(name)) return name;

@@ -5,12 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace erg {
+#include "io/preset_list.h"
 
-struct Preset {
-  std::string name;  ///< path below the presets' folder without ".json": "barchans", "thesis/star_werner"
-  std::filesystem::path path;
-};
+namespace erg {
 
 /// The folder of the presets: of the installed program (../share/erg/cfg beside the program's folder), else of the
 /// source tree that it was built from. Empty when neither is there.

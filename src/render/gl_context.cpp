@@ -10,13 +10,14 @@ std::string GlContext::renderer() const {
   return text == nullptr ? "" : reinterpret_cast<const char*>(text);
 }
 
-bool GlContext::is_software() const {
-  const std::string name = renderer();
+bool draws_in_software(std::string_view renderer) {
   for (const char* const software : {"llvmpipe", "softpipe", "swrast", "Software"}) {
-    if (name.find(software) != std::string::npos) return true;
+    if (renderer.find(software) != std::string_view::npos) return true;
   }
   return false;
 }
+
+bool GlContext::is_software() const { return draws_in_software(renderer()); }
 
 const std::vector<std::string>& offscreen_kinds() {
   static const std::vector<std::string> kinds{"auto", "egl", "osmesa"};

@@ -29,6 +29,9 @@ class GlContext {
   GlContext() = default;
 };
 
+/// True when a driver of this name draws on the processor.
+bool draws_in_software(std::string_view renderer);
+
 /// Mesa's off-screen rasteriser. Throws InputError that says what to install.
 std::unique_ptr<GlContext> make_osmesa_context();
 

@@ -27,6 +27,8 @@ struct Look {
   bool legend = true;        ///< legend, wind arrow, scale bar (the latter in orthographic views from above only)
   bool transparent = false;  ///< nothing behind the land
 
+  bool operator==(const Look&) const = default;
+
   /// True when a material is drawn, not values.
   bool is_material() const { return show == "material" || show == "sand" || show == "snow"; }
 };

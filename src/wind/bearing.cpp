@@ -69,6 +69,13 @@ Direction downwind(double bearing) {
 
 double bearing_of(Direction toward) { return fold_bearing(degrees(std::atan2(0 - toward.x, 0 - toward.y))); }
 
+std::string compass_name(double bearing) {
+  const auto point = static_cast<std::size_t>(std::lround(fold_bearing(bearing) / compass_point)) % compass.size();
+  std::string name(compass[point]);
+  for (char& letter : name) letter = static_cast<char>(letter - 'a' + 'A');
+  return name;
+}
+
 double parse_bearing(std::string_view text, const std::string& place) {
   const std::string name = point_name(text);
   for (std::size_t point = 0; point < compass.size(); ++point) {

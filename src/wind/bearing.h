@@ -28,4 +28,7 @@ double fold_bearing(double degrees);
 /// Reads "270", "-90", "W", "ssw", "west"; in [0, 360). Throws InputError with `place`.
 double parse_bearing(std::string_view text, const std::string& place);
 
+/// The nearest point of the compass in capitals: "WSW" for 250.
+std::string compass_name(double bearing);
+
 }  // namespace erg

@@ -1,6 +1,8 @@
 // Wrong use and bad input: exit code 2, a message that helps, and nothing written.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "program.h"
 
 namespace erg::test {
@@ -10,15 +12,28 @@ void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "expected \"" << part << "\" in:\n" << text;
 }
 
-TEST(WrongUse, NoCommandUnknownCommandUnknownOption) {
+TEST(WrongUse, UnknownCommandUnknownOption) {
   const ScratchFolder folder;
-  EXPECT_EQ(run_erg(folder, {}).exit_code, 2);
   EXPECT_EQ(run_erg(folder, {"rum"}).exit_code, 2);
   EXPECT_EQ(run_erg(folder, {"run"}).exit_code, 2);
   EXPECT_EQ(run_erg(folder, {"run", "x.json", "--fast"}).exit_code, 2);
   EXPECT_EQ(run_erg(folder, {"run", "x.json", "--format", "gif"}).exit_code, 2);
   EXPECT_EQ(run_erg(folder, {"--version"}).exit_code, 0);
   EXPECT_EQ(run_erg(folder, {"--help"}).exit_code, 0);
+}
+
+TEST(WrongUse, WithoutADisplayTheWindowSaysSoAndWhatToDoInstead) {
+  unsetenv("DISPLAY");
+  const ScratchFolder folder;
+  folder.write("small.json", small_config(5));
+  const std::vector<std::vector<std::string>> ways{{}, {"gui"}, {"gui", "small.json"}};
+  for (const std::vector<std::string>& arguments : ways) {
+    const Ended ended = run_erg(folder, arguments);
+    EXPECT_EQ(ended.exit_code, 1);
+    expect_contains(ended.errors, "DISPLAY: is not set");
+    expect_contains(ended.errors, "`erg run` grows dunes");
+  }
+  EXPECT_EQ(run_erg(folder, {"gui", "gone.json"}).exit_code, 2);
 }
 
 TEST(WrongUse, EveryMistakeOfAConfigIsToldAtOnceAndNothingIsWritten) {

@@ -81,6 +81,15 @@ TEST(Bearing, ReadsDegreesAndCompassPoints) {
   EXPECT_EQ(parse_bearing("northnorthwest", ""), 337.5);
 }
 
+TEST(Bearing, IsNamedByTheNearestPointOfTheCompass) {
+  EXPECT_EQ(compass_name(0), "N");
+  EXPECT_EQ(compass_name(11), "N");
+  EXPECT_EQ(compass_name(12), "NNE");
+  EXPECT_EQ(compass_name(250), "WSW");
+  EXPECT_EQ(compass_name(-90), "W");
+  EXPECT_EQ(compass_name(355), "N");
+}
+
 TEST(Bearing, RefusesEverythingElse) {
   for (const char* text : {"", "-", "x", "NN", "wwest", "361", "-360.1", "nan", "inf", "1e400", "90 deg", "27O"}) {
     try {

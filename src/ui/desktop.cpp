@@ -1,0 +1,201 @@
+#include "ui/desktop.h"
+
+#include <stb/stb_image.h>
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+#include "io/image.h"
+#include "ui/gui_renderer.h"
+#include "ui/land_view.h"
+#include "ui/panels.h"
+#include "ui/shell.h"
+#include "ui/window.h"
+
+namespace erg {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds counted{1};  // for frames a second
+
+// Pictures a second, over the last second.
+class FrameCounter {
+ public:
+  void count() { times_.push_back(Clock::now()); }
+  float rate() {
+    while (!times_.empty() && Clock::now() - times_.front() > counted) times_.pop_front();
+    return static_cast<float>(times_.size());
+  }
+
+ private:
+  std::deque<Clock::time_point> times_;
+};
+
+// The list of widgets in a file, whole at any moment.
+class MapFile {
+ public:
+  explicit MapFile(std::filesystem::path path) : path_(std::move(path)) {}
+  void write(const WidgetMap& widgets) {
+    if (path_.empty()) return;
+    std::string text = widgets.text();
+    if (text == written_) return;
+    const std::filesystem::path draft = path_.string() + ".new";
+    std::ofstream(draft) << text;
+    std::error_code ignored;
+    std::filesystem::rename(draft, path_, ignored);
+    written_ = std::move(text);
+  }
+
+ private:
+  std::filesystem::path path_;
+  std::string written_;
+};
+
+std::optional<RgbaImage> read_image(const std::filesystem::path& path) {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  unsigned char* const pixels = stbi_load(path.c_str(), &width, &height, &channels, 4);
+  if (pixels == nullptr) return std::nullopt;
+  RgbaImage image{width, height, {}};
+  image.pixels.assign(pixels, pixels + 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  stbi_image_free(pixels);
+  return image;
+}
+
+class Desktop final : public Stage {
+ public:
+  explicit Desktop(const DesktopRequest& request);
+
+  void run();
+
+  const LandGround* ground(std::size_t run) override { return land_.ground(run); }
+  ImTextureID picture(const std::filesystem::path& path) override;
+  void save_picture(const PictureOrder& order) override;
+  float frames_per_second() const override { return frame_rate_; }
+  int screen_height() const override { return window_.screen_height(); }
+  void close() override { window_.close(); }
+
+ private:
+  static WindowOptions options(const DesktopRequest& request, const Settings& settings);
+  void draw(int width, int height, float seconds);
+  bool busy();
+
+  Studio studio_;
+  Gui gui_;  // before the window, whose input goes into it
+  Window window_;
+  GuiRenderer renderer_;
+  LandView land_;
+  Shell shell_;
+  MapFile map_;
+  FrameCounter frames_;
+  float frame_rate_ = 0;
+  std::map<std::filesystem::path, ImTextureID> pictures_;
+  std::string title_;
+  std::uint64_t shown_snapshot_ = 0;
+  std::uint64_t shown_log_ = 0;
+};
+
+WindowOptions Desktop::options(const DesktopRequest& request, const Settings& settings) {
+  WindowOptions options;
+  options.width = request.width > 0 ? request.width : settings.window_width;
+  options.height = request.height > 0 ? request.height : settings.window_height;
+  return options;
+}
+
+Desktop::Desktop(const DesktopRequest& request)
+    : studio_(request.folders),
+      window_(options(request, studio_.settings())),
+      land_(window_.is_software()),
+      shell_(studio_, *this, gui_),
+      map_(request.widget_map) {
+  if (request.scale > 0) studio_.settings().scale = request.scale;
+  studio_.log().information("drawing with " + window_.driver());
+  if (!request.open.empty()) {
+    if (!studio_.open(request.open)) shell_.open(panel_title::log);
+  } else {
+    shell_.open(panel_title::gallery);
+  }
+  if (!studio_.lost_sessions().empty()) shell_.open(panel_title::recovery);
+}
+
+ImTextureID Desktop::picture(const std::filesystem::path& path) {
+  const auto known = pictures_.find(path);
+  if (known != pictures_.end()) return known->second;
+  const std::optional<RgbaImage> image = read_image(path);
+  const ImTextureID texture = image ? renderer_.add_texture(*image) : nullptr;
+  pictures_[path] = texture;
+  return texture;
+}
+
+void Desktop::save_picture(const PictureOrder& order) {
+  const Snapshot& now = studio_.now();
+  if (!now.has_runs()) throw InputError(order.path.string(), "there is no land to draw", "create one first");
+  Look look = shell_.scenery().look;
+  look.transparent = order.transparent;
+  look.legend = shell_.scenery().legend;
+  const RunSnapshot& run = now.runs[std::min(studio_.active(), now.runs.size() - 1)];
+  const Picture picture = land_.picture(run, look, shell_.scenery().camera.camera(), order.size);
+  const MetadataEntries entries = metadata(studio_.provenance());
+  if (order.transparent) {
+    write_png(order.path, picture.image, entries);
+  } else {
+    write_png(order.path, picture.opaque(), entries);
+  }
+}
+
+bool Desktop::busy() {
+  const Activity activity = studio_.now().activity;
+  const bool moving = activity == Activity::running || activity == Activity::building;
+  return moving || !shell_.scenery().wanted_view.empty() || land_.unfinished() ||
+         studio_.runner().snapshot()->number != shown_snapshot_ || studio_.log().version() != shown_log_;
+}
+
+void Desktop::draw(int width, int height, float seconds) {
+  studio_.tick();
+  shown_snapshot_ = studio_.now().number;
+  shown_log_ = studio_.log().version();
+  studio_.settings().window_width = width;
+  studio_.settings().window_height = height;
+  shell_.apply_settings();
+  gui_.frame({static_cast<float>(width), static_cast<float>(height)}, seconds, [this] { shell_.draw(); });
+  const ImVec4& ground = gui_.theme().ground;
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl11().ClearColor(ground.x, ground.y, ground.z, 1);
+  gl11().Clear(GL_COLOR_BUFFER_BIT);
+  LandWindow& land = shell_.land();
+  Look look = shell_.scenery().look;
+  look.legend = false;
+  land.set_notes(
+      land_.draw(studio_.now(), look, shell_.scenery().camera.camera(), land.parts(), height, land.restless()));
+  renderer_.draw(gui_, 0);
+  frames_.count();
+  frame_rate_ = frames_.rate();
+  map_.write(gui_.widgets());
+  const std::string title = studio_.title() + (studio_.unsaved() ? " * - Erg" : " - Erg");
+  if (title != title_) window_.set_title(title);
+  title_ = title;
+}
+
+void Desktop::run() {
+  try {
+    window_.run({.draw = [this](int width, int height, float seconds) { draw(width, height, seconds); },
+                 .busy = [this] { return busy(); },
+                 .may_close = [] { return true; },
+                 .display_lost = [this] { return "the display is gone: " + studio_.rescue(); }});
+  } catch (const std::exception& error) {
+    // The window cannot go on, but what runs in it is whole.
+    throw std::runtime_error(std::string(error.what()) + "; " + studio_.rescue());
+  }
+}
+
+}  // namespace
+
+void run_desktop(const DesktopRequest& request) { Desktop(request).run(); }
+
+}  // namespace erg

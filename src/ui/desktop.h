@@ -1,0 +1,28 @@
+// The window with everything in it: what `erg` and `erg gui` run.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "studio/studio.h"
+
+namespace erg {
+
+struct DesktopRequest {
+  StudioFolders folders;
+  /// Config or checkpoint to open; none: the gallery.
+  std::filesystem::path open;
+  /// Letters and controls this many times their usual size; 0: as the settings say.
+  double scale = 0;
+  /// Pixels; 0: as it was last time.
+  int width = 0;
+  int height = 0;
+  /// For tests: a file that lists where every widget lies, rewritten whenever that changes. Empty: none.
+  std::filesystem::path widget_map;
+};
+
+/// Opens the window and comes back when it is closed. Throws InputError where there is no display or no OpenGL 3.3.
+void run_desktop(const DesktopRequest& request);
+
+}  // namespace erg

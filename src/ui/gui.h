@@ -1,0 +1,59 @@
+// ImGui with Erg's letters and colours: everything that panels need to draw themselves, with no window behind it.
+#pragma once
+
+#include <imgui.h>
+
+#include <functional>
+
+#include "ui/theme.h"
+#include "ui/widget_map.h"
+
+namespace erg {
+
+/// Places of keys in ImGuiIO::KeysDown: letters as capitals and other characters as themselves; the rest from 256 on.
+namespace keys {
+inline constexpr int backspace = 8, tab = 9, enter = 13, escape = 27, space = 32, remove = 127;
+inline constexpr int left = 256, right = 257, up = 258, down = 259, page_up = 260, page_down = 261, home = 262,
+                     end = 263, insert = 264;
+inline constexpr int function = 270;  ///< F1 is function + 1
+}  // namespace keys
+
+/// An ImGui context, which is current from its making on. Needs no OpenGL: what it draws is data.
+class Gui {
+ public:
+  explicit Gui(ThemeKind theme = ThemeKind::dark, float scale = 1);
+  ~Gui();
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+
+  /// The one whose context is current.
+  static Gui& current();
+
+  /// Between frames only; takes hold at once, except that letters of another size need new textures: `fonts_changed`.
+  void set_theme(ThemeKind theme);
+  void set_scale(float scale);
+
+  const Theme& theme() const { return theme_; }
+  float scale() const { return scale_; }
+  /// A length at scale 1 in pixels of this interface.
+  float px(float length) const { return length * scale_; }
+  ImFont* heading_font() const { return heading_font_; }
+  WidgetMap& widgets() { return widgets_; }
+  /// Counts up whenever the texture of the letters has to be uploaded anew.
+  int font_version() const { return font_version_; }
+
+  /// Draws one frame of this size in pixels; `seconds` since the last one.
+  void frame(ImVec2 size, float seconds, const std::function<void()>& draw);
+
+ private:
+  void load_fonts();
+
+  ImGuiContext* context_ = nullptr;
+  Theme theme_;
+  float scale_ = 1;
+  ImFont* heading_font_ = nullptr;
+  WidgetMap widgets_;
+  int font_version_ = 0;
+};
+
+}  // namespace erg

@@ -1,0 +1,126 @@
+#include "ui/land_view.h"
+
+#include <algorithm>
+
+#include "core/material.h"
+#include "models/model.h"
+#include "render/gl.h"
+#include "render/textures.h"
+
+namespace erg {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds rest{350};  // without a change before the fine picture is drawn
+
+// At rest a picture may take a moment, but not so long that the window seems stuck.
+RenderEffort effort_at_rest(bool software) {
+  return software ? RenderEffort{512, 1024, 3, 128, true} : RenderEffort::still();
+}
+
+}  // namespace
+
+TerrainView view_of_run(const RunSnapshot& run) {
+  TerrainView view;
+  view.terrain = run.terrain.get();
+  if (run.shadow) view.fields.push_back(run.shadow.get());
+  view.wind = run.last_wind.bearing;
+  view.cover = find_model(run.config->model).info.material == Material::snow ? Cover::snow : Cover::sand;
+  // The shadow comes and goes without the terrain.
+  view.version = 2 * run.terrain_version + (run.shadow ? 1 : 0);
+  return view;
+}
+
+// One run's picture, what it shows, and the ground that it shows.
+struct LandView::Pane final : LandGround {
+  Renderer renderer;
+  PictureTarget target;
+  WindowPart part;
+  std::vector<std::string> notes;
+  // What was drawn last.
+  std::uint64_t version = 0;
+  WindowPart drawn_part;
+  Look look;
+  Camera camera;
+  bool fine = false;
+  int scale = 1;  // drawn pixels for one of the window, each way
+  Clock::time_point changed;
+  // The terrain is held as long as the renderer may be asked about it.
+  std::shared_ptr<const Terrain> terrain;
+  LandBox land;
+
+  LandBox box() const override { return land; }
+  std::optional<Eigen::Vector3d> under(const Camera& from, PicturePoint point, double aspect) const override {
+    return renderer.land_under(from, point, aspect);
+  }
+  double height(double east, double north) const override { return renderer.ground_height(east, north); }
+};
+
+LandView::LandView(bool software) : software_(software) {}
+LandView::~LandView() = default;
+
+void LandView::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless) {
+  const TerrainView view = view_of_run(run);
+  const Clock::time_point now = Clock::now();
+  const bool differs = view.version != pane.version || !(pane.part == pane.drawn_part) || !(look == pane.look) ||
+                       !(camera == pane.camera);
+  if (differs || restless) pane.changed = now;
+  const bool refine = !pane.fine && now - pane.changed >= rest;
+  if (!differs && !refine) return;
+  pane.fine = refine && !differs;
+  pane.renderer.set_effort(pane.fine ? effort_at_rest(software_) : RenderEffort::moving(software_));
+  // Twice the pixels each way, averaged as they are copied into the window, make edges smooth.
+  pane.scale = pane.fine && !software_ ? 2 : 1;
+  const int width = pane.scale * pane.part.width;
+  const int height = pane.scale * pane.part.height;
+  pane.target.prepare(width, height);
+  pane.notes = pane.renderer.draw_into(pane.target.frame(), view, look, camera, width, height);
+  if (view.version != pane.version || look.exaggeration != pane.look.exaggeration) {
+    pane.land = Renderer::land_of(view, look);
+  }
+  pane.terrain = run.terrain;
+  pane.version = view.version;
+  pane.drawn_part = pane.part;
+  pane.look = look;
+  pane.camera = camera;
+}
+
+void LandView::show(const Pane& pane, int window_height) const {
+  const WindowPart& part = pane.part;
+  const int low = window_height - part.top - part.height;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, pane.target.frame());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl11().Disable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(0, 0, pane.scale * part.width, pane.scale * part.height, part.left, low, part.left + part.width,
+                    low + part.height, GL_COLOR_BUFFER_BIT, pane.scale == 1 ? GL_NEAREST : GL_LINEAR);
+}
+
+std::vector<std::string> LandView::draw(const Snapshot& snapshot, const Look& look, const Camera& camera,
+                                        const std::vector<WindowPart>& parts, int window_height, bool restless) {
+  const std::size_t count = std::min(snapshot.runs.size(), parts.size());
+  panes_.resize(std::min(panes_.size(), count));
+  while (panes_.size() < count) panes_.push_back(std::make_unique<Pane>());
+  std::vector<std::string> notes;
+  for (std::size_t index = 0; index < count; ++index) {
+    Pane& pane = *panes_[index];
+    pane.part = parts[index];
+    draw_pane(pane, snapshot.runs[index], look, camera, restless);
+    show(pane, window_height);
+    notes.insert(notes.end(), pane.notes.begin(), pane.notes.end());
+  }
+  return notes;
+}
+
+bool LandView::unfinished() const {
+  return std::any_of(panes_.begin(), panes_.end(), [](const std::unique_ptr<Pane>& pane) { return !pane->fine; });
+}
+
+const LandGround* LandView::ground(std::size_t run) const { return run < panes_.size() ? panes_[run].get() : nullptr; }
+
+Picture LandView::picture(const RunSnapshot& run, const Look& look, const Camera& camera, const PictureSize& size) {
+  Renderer renderer;
+  return renderer.draw(view_of_run(run), look, camera, size);
+}
+
+}  // namespace erg

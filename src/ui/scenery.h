@@ -1,0 +1,47 @@
+// What the land is looked at with: look, camera, bookmarks. One for all runs that are compared.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/camera.h"
+#include "render/look.h"
+#include "ui/land_camera.h"
+
+namespace erg {
+
+/// The part of the window's state that only the eye cares about.
+struct Scenery {
+  Look look;
+  LandCamera camera;
+  bool legend = true;  ///< legend, wind arrow and north over the land
+  /// A preset to take up as soon as the land's extent is known; "" when the camera is where it should be.
+  std::string wanted_view = "block";
+};
+
+/// Cameras kept by name, as JSON files of a folder.
+class Bookmarks {
+ public:
+  /// Reads what is there; an empty folder keeps nothing beyond the program's end.
+  explicit Bookmarks(std::filesystem::path folder);
+
+  struct Entry {
+    std::string name;
+    Camera camera;
+  };
+  const std::vector<Entry>& entries() const { return entries_; }
+  /// Adds or replaces. Throws InputError when it cannot be written.
+  void keep(const std::string& name, const Camera& camera);
+  void remove(const std::string& name);
+  /// "view 1", "view 2" ...: the first that is free.
+  std::string free_name() const;
+
+ private:
+  std::filesystem::path path_of(const std::string& name) const;
+
+  std::filesystem::path folder_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace erg

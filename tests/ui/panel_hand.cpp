@@ -1,0 +1,70 @@
+#include "panel_hand.h"
+
+#include "ui/widgets.h"
+
+namespace erg::test {
+namespace {
+
+ImVec2 size_of(const Panel& panel) { return panel.dock() == Dock::dialog ? panel.size() : ImVec2{330, 1500}; }
+
+StudioFolders folders_in(const TemporaryFolder& folder, const std::function<void(const TemporaryFolder&)>& prepare) {
+  for (const char* name : {"settings", "state", "presets"}) std::filesystem::create_directory(folder / name);
+  if (prepare) prepare(folder);
+  return {folder / "settings", folder / "state", folder / "presets"};
+}
+
+}  // namespace
+
+Config small_config() {
+  Config config;
+  config.grid.set("nx", std::int64_t{32});
+  config.grid.set("ny", std::int64_t{24});
+  config.run.set("threads", std::int64_t{1});
+  return config;
+}
+
+PanelHand::PanelHand(std::unique_ptr<Panel> panel, const std::function<void(const TemporaryFolder&)>& prepare)
+    : studio(folders_in(folder, prepare)),
+      panel_(std::move(panel)),
+      hand([this] { draw(); }, size_of(*panel_).x > 700 ? size_of(*panel_) : ImVec2{800, size_of(*panel_).y}) {}
+
+void PanelHand::draw() {
+  if (studio.settings().last_folder.empty()) studio.settings().last_folder = folder.path().string();
+  studio.tick();
+  Desk desk{studio, land, LandTool::camera, {}, {}, {}, {}, {}};
+  desk.open = [this](const std::string& title) { opened.push_back(title); };
+  desk.close = [this](const std::string& title) { closed.push_back(title); };
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size_of(*panel_));
+  ImGui::Begin(panel_->title(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  {
+    const WidgetScope scope(panel_->title());
+    panel_->draw(desk);
+  }
+  ImGui::End();
+  tool = desk.tool;
+  marks = desk.marks;
+}
+
+void PanelHand::create() {
+  studio.setup().replace(small_config());
+  studio.create();
+  settle();
+}
+
+void PanelHand::settle() {
+  hand.frames(2);
+  studio.runner().wait_for_commands();
+  hand.frames(2);
+}
+
+void PanelHand::click_land(CellPlace cell) {
+  land = {cell, true, true, false};
+  hand.frames();
+  land = {cell, false, false, true};
+  hand.frames();
+  land = {cell, false, false, false};
+  hand.frames();
+}
+
+}  // namespace erg::test

@@ -1,0 +1,49 @@
+// One panel over a view model of its own, without a window: what the panel is given, and what it asked of the window.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../unit/temporary_folder.h"
+#include "harness.h"
+#include "studio/studio.h"
+#include "ui/panels.h"
+
+namespace erg::test {
+
+class PanelHand {
+ public:
+  /// Docks are 330 pixels wide, dialogs as they ask. `prepare` may put files into the folder before the studio starts.
+  explicit PanelHand(std::unique_ptr<Panel> panel, const std::function<void(const TemporaryFolder&)>& prepare = {});
+
+  TemporaryFolder folder;  ///< settings, state and presets lie in it; also the folder that browsers open in
+  Studio studio;
+  LandPointer land;                 ///< given to the panel in the next frames
+  std::vector<std::string> opened;  ///< titles that the panel asked to open
+  std::vector<std::string> closed;
+  LandTool tool = LandTool::camera;  ///< that the panel asked for in the last frame
+  std::vector<LandMark> marks;
+
+ private:
+  std::unique_ptr<Panel> panel_;
+
+ public:
+  UiHarness hand;
+
+  /// A small terrain under the setup as it is, and the frames that show it.
+  void create();
+  /// Waits for the worker and draws what it has done.
+  void settle();
+  /// The left button goes down on a cell and up again.
+  void click_land(CellPlace cell);
+
+ private:
+  void draw();
+};
+
+/// A config of few cells.
+Config small_config();
+
+}  // namespace erg::test

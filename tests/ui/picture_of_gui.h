@@ -1,0 +1,12 @@
+// A picture of the interface, drawn off the screen.
+#pragma once
+
+#include "core/image.h"
+#include "ui/gui.h"
+
+namespace erg::test {
+
+/// The last frame of `gui`.
+RgbImage picture_of_gui(const Gui& gui, ImVec2 size);
+
+}  // namespace erg::test

@@ -1,0 +1,137 @@
+// The dialogs by hand: gallery, files, export, log, recovery.
+#include <gtest/gtest.h>
+
+#include "io/config_file.h"
+#include "panel_hand.h"
+
+namespace erg::test {
+namespace {
+
+void write_preset(const std::filesystem::path& path, const std::string& title) {
+  Config config = small_config();
+  config.title = title;
+  write_config(path, config);
+}
+
+TEST(GalleryPanel, OneClickAndDunesGrow) {
+  PanelHand panel(make_gallery_panel(),
+                  [](const TemporaryFolder& folder) { write_preset(folder / "presets/star.json", "Star dunes"); });
+  panel.hand.click("GALLERY/star");
+  panel.settle();
+  EXPECT_EQ(panel.studio.setup().config().title, "Star dunes");
+  ASSERT_TRUE(panel.studio.now().has_runs());
+  EXPECT_EQ(panel.studio.now().activity, Activity::running);
+  EXPECT_EQ(panel.closed, std::vector<std::string>{"GALLERY"});
+}
+
+TEST(GalleryPanel, WithoutPresetsItSaysWhatToDo) {
+  PanelHand panel(make_gallery_panel());
+  panel.hand.frames(2);
+  EXPECT_TRUE(panel.closed.empty());
+}
+
+TEST(OpenPanel, OpensAFileFromItsFolder) {
+  PanelHand panel(make_open_panel(), [](const TemporaryFolder& folder) {
+    std::filesystem::create_directory(folder / "mine");
+    write_preset(folder / "mine/erg.json", "Mine");
+    write_preset(folder / "other.json", "Other");
+    write_bytes(folder / "notes.txt", "no config");
+  });
+  EXPECT_FALSE(panel.hand.has("files/notes.txt")) << "only what can be opened is listed";
+  panel.hand.click("files/mine/");
+  panel.hand.double_click("files/erg.json");
+  panel.settle();
+  EXPECT_EQ(panel.studio.setup().config().title, "Mine");
+  EXPECT_EQ(panel.closed, std::vector<std::string>{"OPEN"});
+}
+
+TEST(OpenPanel, FiltersAndTakesATypedPath) {
+  PanelHand panel(make_open_panel(), [](const TemporaryFolder& folder) {
+    write_preset(folder / "barchans.json", "Barchans");
+    write_preset(folder / "stars.json", "Stars");
+  });
+  panel.hand.click("OPEN/filter");
+  panel.hand.type("star");
+  EXPECT_TRUE(panel.hand.has("files/stars.json"));
+  EXPECT_FALSE(panel.hand.has("files/barchans.json"));
+  panel.hand.enter("OPEN/path", (panel.folder / "barchans.json").string());
+  panel.settle();
+  EXPECT_EQ(panel.studio.setup().config().title, "Barchans");
+}
+
+TEST(OpenPanel, AFileWithMistakesLeavesWhatWasOpenAndFillsTheLog) {
+  PanelHand panel(make_open_panel(), [](const TemporaryFolder& folder) {
+    write_bytes(folder / "wrong.json", "{\"erg\": 1,\n\"model\": \"momiji\",\n\"grid\": {\"nx\": -5}}");
+  });
+  panel.studio.setup().set_title("before");
+  panel.hand.double_click("files/wrong.json");
+  panel.settle();
+  EXPECT_EQ(panel.studio.setup().config().title, "before");
+  EXPECT_NE(panel.studio.log().text().find("wrong.json:3"), std::string::npos) << panel.studio.log().text();
+  EXPECT_EQ(panel.opened, std::vector<std::string>{"LOG"});
+}
+
+TEST(SavePanel, AddsTheEndingAndAsksBeforeAFileIsReplaced) {
+  PanelHand panel(make_save_panel());
+  panel.studio.setup().set_title("My dunes");
+  panel.hand.enter("SAVE AS/name", "mine");
+  ASSERT_TRUE(std::filesystem::exists(panel.folder / "mine.json"));
+  EXPECT_EQ(read_config(panel.folder / "mine.json").title, "My dunes");
+
+  panel.studio.setup().set_title("Other dunes");
+  panel.hand.enter("SAVE AS/name", "mine");
+  EXPECT_EQ(read_config(panel.folder / "mine.json").title, "My dunes") << "it asks first";
+  panel.hand.click("KEEP IT");
+  EXPECT_FALSE(panel.hand.has("REPLACE"));
+  panel.hand.click("SAVE AS/SAVE");
+  panel.hand.click("REPLACE");
+  EXPECT_EQ(read_config(panel.folder / "mine.json").title, "Other dunes");
+}
+
+TEST(SavePanel, CancelWritesNothing) {
+  PanelHand panel(make_save_panel());
+  panel.hand.click("SAVE AS/CANCEL");
+  EXPECT_EQ(panel.closed, std::vector<std::string>{"SAVE AS"});
+  panel.hand.enter("SAVE AS/name", "no/such/folder/x");
+  EXPECT_TRUE(std::filesystem::is_empty(panel.folder / "presets"));
+}
+
+TEST(ExportPanel, WritesEveryFormat) {
+  PanelHand panel(make_export_panel());
+  panel.create();
+  for (const ExportFormat& format : export_formats()) {
+    panel.hand.click("EXPORT/" + format.key);
+    panel.hand.click("EXPORT/EXPORT");
+    panel.hand.enter("EXPORT TO/name", "out-" + format.key);
+    ASSERT_NE(panel.studio.running_export(), nullptr) << format.key;
+    while (panel.studio.running_export()->state() == Export::State::writing) panel.hand.frames();
+    EXPECT_EQ(panel.studio.running_export()->state(), Export::State::done)
+        << format.key << ": " << panel.studio.running_export()->problem();
+    EXPECT_TRUE(std::filesystem::exists(panel.folder / ("out-" + format.key + format.ending))) << format.key;
+  }
+}
+
+TEST(LogPanel, FiltersByLevelCopiesAndClears) {
+  PanelHand panel(make_log_panel());
+  panel.studio.log().clear();
+  panel.studio.log().information("a word");
+  panel.studio.log().warning("a warning");
+  panel.studio.log().error("an error");
+  panel.hand.frames(2);
+  panel.hand.click("LOG/ERRORS");
+  panel.hand.click("LOG/COPY");
+  const std::string copied = ImGui::GetClipboardText();
+  EXPECT_NE(copied.find("an error"), std::string::npos);
+  EXPECT_EQ(copied.find("a warning"), std::string::npos);
+  panel.hand.click("LOG/CLEAR");
+  EXPECT_TRUE(panel.studio.log().lines().empty());
+}
+
+TEST(RecoveryPanel, ShowsNothingAfterAnOrderlyEnd) {
+  PanelHand panel(make_recovery_panel());
+  const Desk desk{panel.studio, {}, LandTool::camera, {}, {}, {}, {}, {}};
+  EXPECT_FALSE(make_recovery_panel()->wanted(desk));
+}
+
+}  // namespace
+}  // namespace erg::test

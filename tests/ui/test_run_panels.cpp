@@ -1,0 +1,122 @@
+// NUMBERS, SECTION, PAINT and COMPARE by hand.
+#include <gtest/gtest.h>
+
+#include "panel_hand.h"
+
+namespace erg::test {
+namespace {
+
+TEST(NumbersPanel, WithoutATerrainItLeadsToTheGallery) {
+  PanelHand panel(make_numbers_panel());
+  panel.hand.click("NUMBERS/GALLERY");
+  EXPECT_EQ(panel.opened, std::vector<std::string>{"GALLERY"});
+}
+
+TEST(NumbersPanel, PlotsTheRunAndSavesItsDataAsCsv) {
+  PanelHand panel(make_numbers_panel());
+  panel.create();
+  panel.studio.runner().run(20);
+  panel.studio.runner().wait_until_still();
+  panel.settle();
+  EXPECT_TRUE(panel.hand.has("spread"));
+  panel.hand.click("heights");
+  panel.hand.click("SAVE HISTOGRAM");
+  panel.hand.enter("SAVE HISTOGRAM/name", "spread");
+  EXPECT_NE(read_bytes(panel.folder / "spread.csv").find("height"), std::string::npos);
+}
+
+TEST(SectionPanel, CutsBetweenTwoClickedPoints) {
+  PanelHand panel(make_section_panel());
+  panel.create();
+  EXPECT_EQ(panel.tool, LandTool::camera);
+  panel.hand.click("PICK TWO POINTS");
+  EXPECT_EQ(panel.tool, LandTool::section);
+  panel.click_land({2, 3});
+  panel.click_land({22, 3});
+  EXPECT_EQ(panel.tool, LandTool::camera) << "after two points the mouse turns the view again";
+  ASSERT_TRUE(panel.hand.has("cut"));
+  ASSERT_EQ(panel.marks.size(), 1u);
+  EXPECT_EQ(panel.marks[0].points.size(), 2u);
+  EXPECT_EQ(panel.marks[0].points[1][0], 22);
+
+  panel.hand.click("SECTION/SAVE");
+  panel.hand.enter("SAVE SECTION/name", "cut.csv");
+  const std::string text = read_bytes(panel.folder / "cut.csv");
+  EXPECT_GE(std::count(text.begin(), text.end(), '\n'), 21) << "a row a cell";
+
+  panel.hand.click("CLEAR");
+  EXPECT_FALSE(panel.hand.has("cut"));
+  EXPECT_TRUE(panel.marks.empty());
+}
+
+std::int64_t mobile(PanelHand& panel) { return panel.studio.now().runs.front().terrain->total_mobile(); }
+
+TEST(PaintPanel, AStrokePutsSandDownAndIsUndoneExactly) {
+  PanelHand panel(make_paint_panel());
+  panel.create();
+  const std::int64_t before = mobile(panel);
+  panel.click_land({10, 10});
+  panel.settle();
+  EXPECT_EQ(mobile(panel), before) << "the brush was not taken";
+  panel.hand.click("TAKE THE BRUSH");
+  EXPECT_EQ(panel.tool, LandTool::paint);
+  panel.click_land({10, 10});
+  panel.settle();
+  const std::int64_t after = mobile(panel);
+  EXPECT_GT(after, before);
+  EXPECT_EQ(panel.studio.now().runs.front().mass_drift(), 0);
+  panel.hand.click("UNDO");
+  panel.settle();
+  EXPECT_EQ(mobile(panel), before);
+  panel.hand.click("REDO");
+  panel.settle();
+  EXPECT_EQ(mobile(panel), after);
+}
+
+TEST(PaintPanel, RockIsPutAndSandTaken) {
+  PanelHand panel(make_paint_panel());
+  panel.create();
+  const std::int64_t sand = mobile(panel);
+  panel.hand.click("TAKE THE BRUSH");
+  panel.hand.click("PAINT/ROCK");
+  panel.hand.enter("amount", "5");
+  panel.click_land({10, 10});
+  panel.settle();
+  const Terrain& terrain = *panel.studio.now().runs.front().terrain;
+  EXPECT_EQ(terrain.bedrock()(10, 10), 5);
+  EXPECT_EQ(mobile(panel), sand);
+  panel.hand.click("SAND");
+  panel.hand.click("PAINT/TAKE");
+  panel.click_land({20, 12});
+  panel.settle();
+  EXPECT_LT(mobile(panel), sand);
+}
+
+TEST(ComparePanel, ACopyIsAddedChangedCreatedAndRemoved) {
+  PanelHand panel(make_compare_panel());
+  panel.create();
+  panel.hand.click("ADD A COPY");
+  ASSERT_EQ(panel.studio.comparison().size(), 2u);
+  EXPECT_EQ(panel.studio.active(), 1u);
+  panel.studio.setup().set("parameters", "p_sand", 0.9);
+  panel.hand.click("COMPARE/CREATE");
+  panel.settle();
+  ASSERT_EQ(panel.studio.now().runs.size(), 2u);
+  EXPECT_EQ(panel.studio.now().runs[1].config->parameters.real("p_sand"), 0.9);
+  panel.hand.click("EDIT RUN 1");
+  EXPECT_EQ(panel.studio.active(), 0u);
+  panel.hand.click("remove 2");
+  EXPECT_EQ(panel.studio.comparison().size(), 1u);
+  EXPECT_FALSE(panel.hand.place("remove 1").enabled);
+}
+
+TEST(ComparePanel, FourRunsAreTheMost) {
+  PanelHand panel(make_compare_panel());
+  panel.create();
+  for (int copy = 0; copy < 3; ++copy) panel.hand.click("ADD A COPY");
+  EXPECT_EQ(panel.studio.comparison().size(), 4u);
+  EXPECT_FALSE(panel.hand.place("ADD A COPY").enabled);
+}
+
+}  // namespace
+}  // namespace erg::test

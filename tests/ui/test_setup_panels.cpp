@@ -1,0 +1,147 @@
+// SETUP and WIND by hand; what the setup received is checked.
+#include <gtest/gtest.h>
+
+#include "models/model.h"
+#include "panel_hand.h"
+
+namespace erg::test {
+namespace {
+
+TEST(SetupPanel, EveryDeclaredValueOfTheModelHasItsRow) {
+  PanelHand panel(make_setup_panel());
+  for (const ModelType* type : Setup::models_of(Material::sand)) {
+    panel.studio.setup().choose_model(type->info.key);
+    panel.hand.frames(2);
+    for (const SetupRow& row : panel.studio.setup().rows("parameters")) {
+      EXPECT_EQ(panel.hand.has("SETUP/parameters/" + row.parameter->label), row.relevant) << type->info.key;
+    }
+  }
+}
+
+TEST(SetupPanel, ChoosesTheModelAndShowsOnlyItsValues) {
+  PanelHand panel(make_setup_panel());
+  const ModelType& wanted = find_model("werner");
+  panel.hand.click("SETUP/model");
+  panel.hand.click("model=" + wanted.info.title);
+  EXPECT_EQ(panel.studio.setup().config().model, "werner");
+}
+
+TEST(SetupPanel, ValuesAreTypedResetAndAllReset) {
+  PanelHand panel(make_setup_panel());
+  const Parameter& nx = *panel.studio.setup().config().grid.find("nx");
+  const std::string row = "SETUP/grid/" + nx.label;
+  panel.hand.enter(row, "96");
+  EXPECT_EQ(panel.studio.setup().config().grid.integer("nx"), 96);
+  panel.hand.click(row + " reset");
+  EXPECT_TRUE(panel.studio.setup().config().grid.is_default("nx"));
+  panel.hand.enter(row, "96");
+  panel.hand.click("RESET DEFAULT");
+  EXPECT_EQ(panel.studio.setup().config(), Config(panel.studio.setup().config().model));
+}
+
+TEST(SetupPanel, CreateMakesTheTerrain) {
+  PanelHand panel(make_setup_panel());
+  panel.studio.setup().replace(small_config());
+  panel.hand.frames();
+  EXPECT_TRUE(panel.studio.create_needed());
+  panel.hand.click("CREATE");
+  panel.settle();
+  ASSERT_TRUE(panel.studio.now().has_runs());
+  EXPECT_EQ(panel.studio.now().runs.front().terrain->nx(), 32);
+  EXPECT_FALSE(panel.studio.create_needed());
+}
+
+TEST(SetupPanel, AFreshSeedIsDrawnWithEachCreate) {
+  PanelHand panel(make_setup_panel());
+  panel.create();
+  panel.hand.click("fresh seed");
+  EXPECT_TRUE(panel.studio.setup().fresh_seed());
+  panel.hand.click("CREATE");
+  panel.settle();
+  const std::int64_t first = panel.studio.now().runs.front().config->run.integer("seed");
+  panel.hand.click("CREATE");
+  panel.settle();
+  EXPECT_NE(panel.studio.now().runs.front().config->run.integer("seed"), first);
+}
+
+TEST(SetupPanel, ASceneOfAPictureAsksForItAndTakesItFromTheBrowser) {
+  PanelHand panel(make_setup_panel(), [](const TemporaryFolder& folder) { write_bytes(folder / "hills.png", "x"); });
+  panel.studio.setup().set("scene", "kind", std::string("image"));
+  panel.hand.frames(2);
+  EXPECT_FALSE(panel.hand.place("SETUP/CREATE").enabled) << "there is no picture yet";
+  panel.hand.click("scene/BROWSE");
+  panel.hand.click("files/hills.png");
+  panel.hand.click("CHOOSE A PICTURE/CHOOSE");
+  EXPECT_EQ(panel.studio.setup().config().scene.text("image"), panel.folder / "hills.png");
+}
+
+TEST(WindPanel, AConstantWindIsTurnedAndStrengthened) {
+  PanelHand panel(make_wind_panel());
+  panel.hand.drag("WIND/dial", {0.1f, 0.5f}, {0.5f, 0.05f});
+  panel.hand.enter("WIND/strength", "7");
+  const Regime& wind = panel.studio.setup().config().wind;
+  EXPECT_TRUE(wind.is_constant());
+  EXPECT_EQ(wind.seasons.front().bearing, 0);
+  EXPECT_EQ(wind.seasons.front().first, 7);
+  EXPECT_EQ(wind.seasons.front().last, 7);
+}
+
+TEST(WindPanel, SeasonsAreAddedCopiedMovedAndRemoved) {
+  PanelHand panel(make_wind_panel());
+  const auto wind = [&]() -> const Regime& { return panel.studio.setup().config().wind; };
+  panel.hand.click("SEASONS");
+  panel.hand.click("ADD");
+  ASSERT_EQ(wind().seasons.size(), 2u);
+  panel.hand.enter("WIND/bearing", "NE");
+  EXPECT_EQ(wind().seasons[1].bearing, 45);
+  panel.hand.enter("first strength", "3");
+  panel.hand.enter("last strength", "9");
+  panel.hand.enter("length", "80");
+  EXPECT_EQ(wind().seasons[1].first, 3);
+  EXPECT_EQ(wind().seasons[1].last, 9);
+  EXPECT_EQ(wind().seasons[1].steps, 80);
+  panel.hand.click("WIND/COPY");
+  ASSERT_EQ(wind().seasons.size(), 3u);
+  EXPECT_EQ(wind().seasons[2], wind().seasons[1]);
+  panel.hand.click("WIND/up");
+  panel.hand.click("WIND/up");
+  EXPECT_EQ(wind().seasons[0].bearing, 45);
+  EXPECT_FALSE(panel.hand.place("WIND/up").enabled);
+  panel.hand.click("WIND/down");
+  EXPECT_EQ(wind().seasons[1].bearing, 45);
+  panel.hand.click("season 1");
+  panel.hand.click("WIND/REMOVE");
+  EXPECT_EQ(wind().seasons.size(), 2u);
+  panel.hand.click("WIND/REMOVE");
+  EXPECT_EQ(wind().seasons.size(), 1u);
+  EXPECT_FALSE(panel.hand.place("WIND/REMOVE").enabled) << "one season stays";
+}
+
+TEST(WindPanel, TheStrengthCurveIsBentAndReset) {
+  PanelHand panel(make_wind_panel());
+  panel.hand.click("SEASONS");
+  panel.hand.enter("length", "100");
+  panel.hand.enter("last strength", "9");
+  const WidgetPlace box = panel.hand.place("curve/box");
+  panel.hand.drag(panel.hand.place("curve/first").middle(), {box.high.x, box.high.y});
+  EXPECT_NEAR(panel.studio.setup().config().wind.seasons[0].curve.first.x, 1, 0.01);
+  EXPECT_NEAR(panel.studio.setup().config().wind.seasons[0].curve.first.y, 0, 0.01);
+  panel.hand.click("curve/RESET");
+  EXPECT_EQ(panel.studio.setup().config().wind.seasons[0].curve, BezierCurve{});
+}
+
+TEST(WindPanel, ConstantAndBackLosesNoSeason) {
+  PanelHand panel(make_wind_panel());
+  panel.hand.click("SEASONS");
+  panel.hand.click("ADD");
+  panel.hand.enter("WIND/bearing", "NE");
+  const std::vector<Season> before = panel.studio.setup().config().wind.seasons;
+  panel.hand.click("CONSTANT");
+  EXPECT_TRUE(panel.studio.setup().config().wind.is_constant());
+  EXPECT_EQ(panel.studio.setup().config().wind.seasons.front().bearing, 45);
+  panel.hand.click("SEASONS");
+  EXPECT_EQ(panel.studio.setup().config().wind.seasons, before);
+}
+
+}  // namespace
+}  // namespace erg::test

@@ -1,0 +1,238 @@
+// Menus, run bar, look panel, land: what a hand does there reaches the view model.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "flat_stage.h"
+#include "harness.h"
+#include "panel_hand.h"
+#include "ui/look_panel.h"
+#include "ui/picture_panel.h"
+
+namespace erg::test {
+namespace {
+
+class ShellHand : public testing::Test {
+ protected:
+  TemporaryFolder folder;
+  Studio studio{StudioFolders{folder.path() / "settings", folder.path() / "state", {}}};
+  FlatStage stage;
+  // The shell needs an ImGui context, which the harness makes; it is there from the first frame on.
+  std::unique_ptr<Shell> shell;
+  UiHarness hand{[this] {
+    studio.tick();
+    if (shell) shell->draw();
+  }};
+
+  void SetUp() override {
+    shell = std::make_unique<Shell>(studio, stage, hand.gui());
+    hand.frames(2);
+  }
+  void TearDown() override { shell.reset(); }
+
+  void create() {
+    studio.setup().replace(small_config());
+    ASSERT_TRUE(studio.create());
+    settle();
+  }
+  // Until the worker has done what it was told, and rests.
+  void settle() {
+    studio.runner().wait_until_still();
+    hand.frames(3);
+  }
+  const Snapshot& now() { return studio.now(); }
+};
+
+TEST_F(ShellHand, WithoutALandEverythingThatNeedsOneIsOffAndSaysSo) {
+  EXPECT_FALSE(hand.place("RUN/play").enabled);
+  EXPECT_FALSE(hand.place("RUN/step").enabled);
+  EXPECT_FALSE(hand.place("RUN/reset").enabled);
+  hand.shortcut(' ', false);
+  EXPECT_EQ(now().activity, Activity::empty);
+  hand.click("Choose a preset");
+  EXPECT_TRUE(shell->is_open("GALLERY"));
+}
+
+TEST_F(ShellHand, StepRunAndResetDoWhatTheySay) {
+  create();
+  hand.click("RUN/step");
+  settle();
+  EXPECT_EQ(now().step(), 1);
+  hand.enter("steps to run", "7");
+  hand.click("RUN/run");
+  settle();
+  EXPECT_EQ(now().step(), 8);
+  EXPECT_EQ(now().activity, Activity::paused);
+  hand.click("RUN/reset");
+  settle();
+  EXPECT_EQ(now().step(), 0);
+}
+
+TEST_F(ShellHand, SpacePlaysAndPausesAndTheButtonSaysWhichItWillDo) {
+  create();
+  hand.shortcut(' ', false);
+  studio.runner().wait_for_commands();
+  hand.frames(2);
+  EXPECT_EQ(now().activity, Activity::running);
+  EXPECT_FALSE(hand.place("RUN/step").enabled);
+  hand.shortcut(' ', false);
+  settle();
+  EXPECT_EQ(now().activity, Activity::paused);
+  EXPECT_TRUE(hand.place("RUN/step").enabled);
+}
+
+TEST_F(ShellHand, TheSpeedSliderLimitsTheSpeed) {
+  create();
+  hand.drag("RUN/speed", {0.95f, 0.5f}, {0.02f, 0.5f});
+  settle();
+  EXPECT_EQ(now().speed_limit, 1);
+  hand.drag("RUN/speed", {0.05f, 0.5f}, {0.99f, 0.5f});
+  settle();
+  EXPECT_EQ(now().speed_limit, 0);
+}
+
+TEST_F(ShellHand, KeysDoNothingWhileOneTypes) {
+  create();
+  hand.click("steps to run");
+  hand.shortcut('.', false);
+  settle();
+  EXPECT_EQ(now().step(), 0);
+}
+
+TEST_F(ShellHand, MenusOpenDialogsAndEscapeClosesThem) {
+  create();
+  hand.click("menu File");
+  hand.click("menu File/Export\u2026");
+  EXPECT_TRUE(shell->is_open("EXPORT"));
+  hand.frames(3);
+  hand.key(keys::escape);
+  EXPECT_FALSE(shell->is_open("EXPORT"));
+  hand.key(keys::function + 1);
+  EXPECT_TRUE(shell->is_open("KEYS"));
+}
+
+TEST_F(ShellHand, TheMenusReachTheViewModel) {
+  create();
+  hand.click("menu Run");
+  hand.click("menu Run/One step");
+  settle();
+  EXPECT_EQ(now().step(), 1);
+  const bool dark = studio.settings().dark;
+  hand.click("menu View");
+  hand.click("menu View/Dark");
+  EXPECT_NE(studio.settings().dark, dark);
+  hand.click("menu File");
+  hand.click("menu File/Quit");
+  EXPECT_TRUE(stage.closed);
+}
+
+TEST_F(ShellHand, TheLookPanelChangesTheLook) {
+  create();
+  hand.click("LOOK/show");
+  hand.click("show=slope");
+  EXPECT_EQ(shell->scenery().look.show, "slope");
+  hand.click("LOOK/palette");
+  hand.click("palette=cividis");
+  EXPECT_EQ(shell->scenery().look.palette, "cividis");
+  hand.click("palette reset");
+  EXPECT_EQ(shell->scenery().look.palette, "");
+  hand.click("LOOK/raw cells");
+  EXPECT_TRUE(shell->scenery().look.raw_cells);
+  // A quarter to the east of the dial's middle: the sun in the east, half way up.
+  const WidgetPlace dial = hand.place("sun dial");
+  const float radius = 0.45f * (dial.high.x - dial.low.x);
+  hand.click(ImVec2(dial.middle().x + 0.5f * radius, dial.middle().y));
+  EXPECT_NEAR(shell->scenery().look.sun_bearing, 90, 2);
+  EXPECT_NEAR(shell->scenery().look.sun_altitude, 45, 2);
+}
+
+TEST_F(ShellHand, TheWindShadowIsAskedForOnlyWhileItIsShown) {
+  create();
+  EXPECT_EQ(now().runs.front().shadow, nullptr);
+  hand.click("LOOK/show");
+  hand.click("show=wind shadow");
+  settle();
+  EXPECT_NE(now().runs.front().shadow, nullptr);
+}
+
+TEST_F(ShellHand, AViewIsKeptAndComesBack) {
+  create();
+  hand.click("LOOK/Top");
+  const Camera kept = shell->scenery().camera.camera();
+  EXPECT_TRUE(kept.orthographic);
+  hand.click("LOOK/Keep view");
+  hand.click("LOOK/Side");
+  EXPECT_FALSE(shell->scenery().camera.camera() == kept);
+  hand.click("view 1/view 1");
+  EXPECT_TRUE(shell->scenery().camera.camera() == kept);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "settings" / "views" / "view 1.json"));
+}
+
+TEST_F(ShellHand, TheMouseTurnsShiftsAndNearsTheLand) {
+  create();
+  hand.shortcut('3', false);
+  const Camera before = shell->scenery().camera.camera();
+  const ImVec2 middle = hand.place("land").middle();
+  hand.drag(middle, ImVec2(middle.x + 80, middle.y));
+  const Camera turned = shell->scenery().camera.camera();
+  EXPECT_NE(turned.bearing, before.bearing);
+  EXPECT_EQ(turned.target, before.target);
+  hand.scroll(2);
+  EXPECT_LT(shell->scenery().camera.camera().distance, turned.distance);
+  hand.move(middle);
+  hand.press(1);
+  hand.move(ImVec2(middle.x + 60, middle.y + 10));
+  hand.release(1);
+  EXPECT_NE(shell->scenery().camera.camera().target, turned.target);
+  EXPECT_EQ(shell->scenery().camera.camera().bearing, turned.bearing);
+}
+
+TEST_F(ShellHand, TheLandUnderThePointerIsRead) {
+  create();
+  hand.shortcut('1', false);
+  EXPECT_FALSE(hand.has("LAND/reading"));
+  hand.move(hand.place("land").middle());
+  hand.frames(2);
+  EXPECT_TRUE(hand.has("LAND/reading"));
+}
+
+TEST_F(ShellHand, APictureIsOrderedInTheSizeChosen) {
+  create();
+  hand.key(keys::function + 12);
+  hand.frames(3);
+  hand.enter("PICTURE/width", "640");
+  hand.enter("PICTURE/height", "360");
+  hand.click("PICTURE/transparent");
+  hand.click("PICTURE/save picture");
+  hand.frames(3);
+  hand.click("SAVE");
+  hand.frames(6);
+  ASSERT_EQ(stage.orders.size(), 1u);
+  EXPECT_EQ(stage.orders[0].size.width, 640);
+  EXPECT_EQ(stage.orders[0].size.height, 360);
+  EXPECT_TRUE(stage.orders[0].transparent);
+}
+
+TEST_F(ShellHand, PanelsFoldAndColumnsAreDraggedAndBothAreRemembered) {
+  create();
+  hand.click("SETUP/fold");
+  EXPECT_EQ(studio.settings().layout.at("fold SETUP"), 0);
+  const WidgetPlace edge = hand.place("edge left");
+  hand.drag(edge.middle(), ImVec2(edge.middle().x + 60, edge.middle().y));
+  EXPECT_NEAR(studio.settings().layout.at("left width"), 390, 6);
+  EXPECT_NEAR(hand.place("land").low.x, 390, 8);
+  hand.key(keys::function + 2);
+  EXPECT_FALSE(hand.has("edge left"));
+  EXPECT_EQ(hand.place("land").low.x, 0);
+}
+
+TEST_F(ShellHand, TheStatusSaysThatNoMassIsLost) {
+  create();
+  EXPECT_TRUE(hand.has("STATUS/drift"));
+  EXPECT_TRUE(hand.has("STATUS/executor"));
+  hand.click("STATUS/log");
+  EXPECT_TRUE(shell->is_open("LOG"));
+}
+
+}  // namespace
+}  // namespace erg::test

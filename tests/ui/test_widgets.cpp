@@ -1,0 +1,88 @@
+// The small widgets, by hand.
+#include <gtest/gtest.h>
+
+#include "harness.h"
+#include "ui/widgets.h"
+
+namespace erg::test {
+namespace {
+
+// One window with these rows in it.
+UiHarness in_a_window(std::function<void()> rows) {
+  return UiHarness([rows = std::move(rows)] {
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({320, 600});
+    ImGui::Begin("window");
+    {
+      const WidgetScope scope("PANEL");
+      rows();
+    }
+    ImGui::End();
+  });
+}
+
+TEST(Widgets, ASliderFollowsTheMouseAndTakesTypedNumbersWithinItsRange) {
+  double value = 0.5;
+  RowEvent last = RowEvent::none;
+  UiHarness hand = in_a_window([&] {
+    const RowEvent event = real_row({.label = "landing chance"}, value, 0, 1);
+    if (event != RowEvent::none) last = event;
+  });
+  hand.drag("PANEL/landing chance", {0.5f, 0.5f}, {0.95f, 0.5f});
+  EXPECT_GT(value, 0.9);
+  EXPECT_EQ(last, RowEvent::changed);
+  hand.enter("landing chance", "0.25");
+  EXPECT_DOUBLE_EQ(value, 0.25);
+  hand.enter("landing chance", "7");
+  EXPECT_DOUBLE_EQ(value, 1);
+}
+
+TEST(Widgets, AParameterIsResetToItsDefaultByItsDot) {
+  const Parameter declared = integer_parameter("hop", "hop length", "cells", 5, 1, 100, "How far a slab hops.");
+  ParameterValue value = std::int64_t{5};
+  UiHarness hand = in_a_window([&] { parameter_row(declared, value); });
+  EXPECT_FALSE(hand.has("hop length reset"));
+  hand.enter("hop length", "42");
+  EXPECT_EQ(std::get<std::int64_t>(value), 42);
+  hand.click("hop length reset");
+  EXPECT_EQ(std::get<std::int64_t>(value), 5);
+  EXPECT_FALSE(hand.has("hop length reset"));
+}
+
+TEST(Widgets, AChoiceIsMadeFromItsList) {
+  const Parameter declared = choice_parameter("kind", "scene", "flat", {"flat", "random", "rocks"}, "What lies there.");
+  ParameterValue value = std::string("flat");
+  UiHarness hand = in_a_window([&] { parameter_row(declared, value); });
+  hand.click("scene");
+  hand.click("scene=rocks");
+  EXPECT_EQ(std::get<std::string>(value), "rocks");
+}
+
+TEST(Widgets, WhatIsUnavailableCannotBeChangedOrPressed) {
+  bool value = false;
+  int pressed = 0;
+  UiHarness hand = in_a_window([&] {
+    switch_row({.label = "open", .unavailable = "It is running."}, value);
+    pressed += button("CREATE", {.unavailable = "Nothing has changed."}) ? 1 : 0;
+    pressed += button("GROW") ? 100 : 0;
+  });
+  hand.click("open");
+  hand.click("CREATE");
+  EXPECT_FALSE(value);
+  EXPECT_EQ(pressed, 0);
+  EXPECT_FALSE(hand.place("CREATE").enabled);
+  hand.click("GROW");
+  EXPECT_EQ(pressed, 100);
+}
+
+TEST(Widgets, TextChangesWithEveryLetter) {
+  std::string value = "old";
+  UiHarness hand = in_a_window([&] { text_row({.label = "title"}, value); });
+  hand.click("title");
+  hand.shortcut('A');
+  hand.type("star dune");
+  EXPECT_EQ(value, "star dune");
+}
+
+}  // namespace
+}  // namespace erg::test

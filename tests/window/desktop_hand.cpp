@@ -1,0 +1,185 @@
+#include "desktop_hand.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace erg::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto patience = 60s;  // on a machine that is busy with other things
+
+bool soon(const std::function<bool()>& holds) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (std::chrono::steady_clock::now() < end) {
+    if (holds()) return true;
+    std::this_thread::sleep_for(30ms);
+  }
+  return false;
+}
+
+pid_t start(const std::vector<std::string>& words, const std::function<void()>& in_child) {
+  std::vector<char*> pointers;
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+  pointers.push_back(nullptr);
+  const pid_t process = fork();
+  if (process < 0) throw std::runtime_error("cannot start " + words.front());
+  if (process > 0) return process;
+  in_child();
+  execvp(pointers[0], pointers.data());
+  _exit(127);
+}
+
+std::string read_all(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void end(pid_t& process, int signal) {
+  if (process <= 0) return;
+  kill(process, signal);
+  waitpid(process, nullptr, 0);
+  process = -1;
+}
+
+}  // namespace
+
+Display::Display(const std::string& size) {
+  int ends[2] = {-1, -1};
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  const std::string channel = std::to_string(ends[1]);
+  process_ = start({"Xvfb", "-displayfd", channel, "-screen", "0", size, "-nolisten", "tcp", "-noreset"}, [] {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDERR_FILENO);
+  });
+  close(ends[1]);
+  // It writes the number of the display when it is ready.
+  std::string number;
+  char letter = 0;
+  while (read(ends[0], &letter, 1) == 1 && letter != '\n') number += letter;
+  close(ends[0]);
+  if (number.empty()) throw std::runtime_error("Xvfb does not start; is the package xvfb installed?");
+  name_ = ":" + number;
+}
+
+Display::~Display() { kill(); }
+
+void Display::kill() { end(process_, SIGKILL); }
+
+DesktopHand::DesktopHand(const Display& display, const std::filesystem::path& folder,
+                         const std::vector<std::string>& arguments,
+                         const std::map<std::string, std::string>& environment)
+    : display_(display.name()), map_(folder / "widgets"), errors_(folder / "errors") {
+  std::vector<std::string> words{ERG_PROGRAM, "gui"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  words.insert(words.end(), {"--ui-map", map_.string()});
+  process_ = start(words, [&] {
+    setenv("DISPLAY", display_.c_str(), 1);
+    setenv("HOME", folder.c_str(), 1);
+    setenv("XDG_CONFIG_HOME", (folder / "config").c_str(), 1);
+    setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+    const int file = open(errors_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    if (dup2(file, STDERR_FILENO) < 0 || chdir(folder.c_str()) != 0) _exit(126);
+  });
+}
+
+DesktopHand::~DesktopHand() { end(process_, SIGKILL); }
+
+std::map<std::string, DesktopHand::Place> DesktopHand::places() const {
+  std::map<std::string, Place> found;
+  std::istringstream lines(read_all(map_));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name;
+    std::getline(words, name, '\t');
+    Place place;
+    std::string state;
+    words >> place.left >> place.top >> place.right >> place.bottom >> state;
+    place.enabled = state == "on";
+    found.emplace(name, place);
+  }
+  return found;
+}
+
+void DesktopHand::wait_for(const std::string& name, bool any) const {
+  const bool came = soon([&] {
+    const auto all = places();
+    const auto found = all.find(name);
+    return found != all.end() && (any || found->second.enabled);
+  });
+  if (!came) throw std::runtime_error("no widget \"" + name + "\" among:\n" + read_all(map_) + errors());
+}
+
+DesktopHand::Place DesktopHand::place(const std::string& name) const {
+  wait_for(name);
+  return places().at(name);
+}
+
+void DesktopHand::command(const std::string& words) const {
+  const std::string line = "DISPLAY=" + display_ + " " + words;
+  if (std::system(line.c_str()) != 0) throw std::runtime_error("failed: " + line);
+}
+
+void DesktopHand::click(const std::string& name) const {
+  const Place at = place(name);
+  command("xdotool mousemove " + std::to_string((at.left + at.right) / 2) + " " +
+          std::to_string((at.top + at.bottom) / 2) + " sleep 0.15 mousedown 1 sleep 0.15 mouseup 1 sleep 0.45");
+}
+
+void DesktopHand::drag(const std::string& name, int right, int down) const {
+  const Place at = place(name);
+  const int x = (at.left + at.right) / 2;
+  const int y = (at.top + at.bottom) / 2;
+  const auto go = [&](int share) {
+    return " mousemove " + std::to_string(x + right * share / 4) + " " + std::to_string(y + down * share / 4) +
+           " sleep 0.1";
+  };
+  command("xdotool" + go(0) + " mousedown 1 sleep 0.15" + go(1) + go(2) + go(3) + go(4) + " mouseup 1 sleep 0.2");
+}
+
+void DesktopHand::key(const std::string& keys) const { command("xdotool key " + keys + " sleep 0.2"); }
+
+void DesktopHand::type(const std::string& text) const {
+  command("xdotool type --delay 40 -- '" + text + "' && sleep 0.1");
+}
+
+void DesktopHand::enter(const std::string& name, const std::string& text) const {
+  const Place at = place(name);
+  command("xdotool mousemove " + std::to_string((at.left + at.right) / 2) + " " +
+          std::to_string((at.top + at.bottom) / 2) +
+          " sleep 0.1 keydown ctrl mousedown 1 sleep 0.15 mouseup 1 "
+          "keyup ctrl sleep 0.2 key ctrl+a sleep 0.1");
+  type(text);
+  key("Return");
+}
+
+void DesktopHand::picture(const std::filesystem::path& path) const {
+  command("import -window root '" + path.string() + "'");
+}
+
+int DesktopHand::wait() {
+  int status = 0;
+  const bool ended = soon([&] { return waitpid(process_, &status, WNOHANG) == process_; });
+  if (!ended) throw std::runtime_error("the program does not end");
+  process_ = -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string DesktopHand::errors() const { return read_all(errors_); }
+
+}  // namespace erg::test

@@ -1,0 +1,74 @@
+// The real window on a display of its own (Xvfb), with a hand on mouse and keys (xdotool).
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace erg::test {
+
+/// A display without a screen, gone afterwards.
+class Display {
+ public:
+  /// Throws std::runtime_error when Xvfb does not start.
+  explicit Display(const std::string& size = "1280x800x24");
+  ~Display();
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
+  const std::string& name() const { return name_; }
+  /// Takes it away, as a lost connection does.
+  void kill();
+
+ private:
+  pid_t process_ = -1;
+  std::string name_;
+};
+
+/// The program at work on a display, in a folder that also holds its settings.
+class DesktopHand {
+ public:
+  DesktopHand(const Display& display, const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+              const std::map<std::string, std::string>& environment = {});
+  ~DesktopHand();
+  DesktopHand(const DesktopHand&) = delete;
+  DesktopHand& operator=(const DesktopHand&) = delete;
+
+  /// Waits until a widget is there (and can be used, unless `any`). Throws std::runtime_error with all names when it
+  /// does not come.
+  void wait_for(const std::string& name, bool any = false) const;
+
+  void click(const std::string& name) const;
+  /// Presses on a widget, moves by so many pixels, lets go.
+  void drag(const std::string& name, int right, int down) const;
+  /// Keys as xdotool names them: "ctrl+s", "space".
+  void key(const std::string& keys) const;
+  void type(const std::string& text) const;
+  /// Replaces what an entry or a slider holds.
+  void enter(const std::string& name, const std::string& text) const;
+  /// What the screen shows, as a picture.
+  void picture(const std::filesystem::path& path) const;
+
+  /// Waits for the program's end; its exit code, or -1 when a signal ended it.
+  int wait();
+  std::string errors() const;
+
+ private:
+  struct Place {
+    int left = 0, top = 0, right = 0, bottom = 0;
+    bool enabled = false;
+  };
+  std::map<std::string, Place> places() const;
+  Place place(const std::string& name) const;
+  void command(const std::string& words) const;
+
+  std::string display_;
+  std::filesystem::path map_;
+  std::filesystem::path errors_;
+  pid_t process_ = -1;
+};
+
+}  // namespace erg::test

@@ -1,0 +1,108 @@
+// The program as a person has it: a window, a mouse, a keyboard. With ERG_PICTURES=FOLDER in the environment, what the
+// screen shows on the way is kept there.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "../unit/temporary_folder.h"
+#include "desktop_hand.h"
+#include "io/config_file.h"
+
+namespace erg::test {
+namespace {
+
+void keep_picture(const DesktopHand& hand, const std::string& name) {
+  if (const char* const folder = std::getenv("ERG_PICTURES")) hand.picture(std::filesystem::path(folder) / name);
+}
+
+std::string small_land(const TemporaryFolder& folder) {
+  Config config("momiji");
+  config.title = "small";
+  config.grid.set("nx", std::int64_t{64});
+  config.grid.set("ny", std::int64_t{64});
+  config.run.set("threads", std::int64_t{1});
+  const std::filesystem::path path = folder / "small.json";
+  write_config(path, config);
+  return path.string();
+}
+
+TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
+  const TemporaryFolder folder;
+  const Display display;
+  DesktopHand hand(display, folder.path(), {"--width", "1280", "--height", "800"});
+  hand.click("GALLERY/transverse");
+  hand.wait_for("RUN/play");
+  hand.key("space");
+  hand.wait_for("RUN/step");
+
+  hand.click("SETUP/Model");  // folded away, so that the grid is in sight
+  hand.enter("SETUP/grid/Cells east", "96");
+  hand.enter("SETUP/grid/Cells north", "96");
+  hand.click("SETUP/CREATE");
+  hand.enter("RUN/steps to run", "200");
+  hand.click("RUN/run");
+  hand.wait_for("RUN/step");
+  keep_picture(hand, "window.png");
+
+  hand.click("SETUP/fold");
+  hand.click("WIND/SEASONS");
+  hand.enter("WIND/last strength", "9");
+  hand.enter("WIND/length", "100");
+  hand.drag("WIND/curve/first", 20, -30);
+  hand.click("LOOK/show");
+  hand.click("LOOK/show=slope");
+  hand.key("ctrl+s");
+  hand.enter("SAVE AS/name", (folder / "mine").string());
+  hand.click("SAVE AS/SAVE");
+  const Config saved = read_config(folder / "mine.json");
+  EXPECT_EQ(saved.grid.integer("nx"), 96);
+  EXPECT_FALSE(saved.wind.seasons.front().curve == BezierCurve{});
+
+  hand.key("F12");
+  hand.enter("PICTURE/width", "320");
+  hand.enter("PICTURE/height", "200");
+  hand.click("PICTURE/save picture");
+  hand.click("PICTURE/SAVE");
+  hand.wait_for("PICTURE/saved", true);
+  keep_picture(hand, "picture_dialog.png");
+  hand.key("Escape");
+
+  hand.key("ctrl+o");
+  hand.click("OPEN/files/mine.json");
+  hand.click("OPEN/OPEN");
+  hand.wait_for("RUN/step");
+  hand.key("ctrl+q");
+  EXPECT_EQ(hand.wait(), 0) << hand.errors();
+  // The name carries the step that it shows.
+  EXPECT_EQ(read_bytes(folder / "mine-200.png").substr(1, 3), "PNG");
+  EXPECT_TRUE(std::filesystem::exists(folder / "config" / "erg" / "settings.json"));
+}
+
+TEST(Window, ALostDisplayEndsTheProgramWithTheLandSaved) {
+  const TemporaryFolder folder;
+  Display display;
+  DesktopHand hand(display, folder.path(), {small_land(folder)});
+  hand.wait_for("RUN/step");
+  hand.click("RUN/step");
+  display.kill();
+  EXPECT_EQ(hand.wait(), 1);
+  EXPECT_NE(hand.errors().find("the display is gone"), std::string::npos) << hand.errors();
+
+  // What was saved is offered at the next start.
+  const Display next;
+  DesktopHand again(next, folder.path(), {});
+  again.wait_for("RECOVERY/session 1/RECOVER");
+  keep_picture(again, "recovery.png");
+}
+
+TEST(Window, AnOpenGLThatIsTooOldIsSaidAndNothingHappens) {
+  const TemporaryFolder folder;
+  const Display display;
+  DesktopHand hand(display, folder.path(), {small_land(folder)},
+                   {{"MESA_GL_VERSION_OVERRIDE", "2.1"}, {"MESA_GLSL_VERSION_OVERRIDE", "120"}});
+  EXPECT_EQ(hand.wait(), 1);
+  EXPECT_NE(hand.errors().find("OpenGL version 3.3 is needed"), std::string::npos) << hand.errors();
+}
+
+}  // namespace
+}  // namespace erg::test
