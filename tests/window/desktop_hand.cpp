@@ -126,8 +126,18 @@ void DesktopHand::wait_for(const std::string& name, bool any) const {
 }
 
 DesktopHand::Place DesktopHand::place(const std::string& name) const {
-  wait_for(name);
-  return places().at(name);
+  // What was just unfolded or drawn may still be moving.
+  Place last;
+  Place now;
+  do {
+    last = now;
+    wait_for(name);
+    const auto all = places();
+    const auto found = all.find(name);
+    if (found != all.end()) now = found->second;
+    std::this_thread::sleep_for(350ms);
+  } while (!(now == last));
+  return now;
 }
 
 void DesktopHand::command(const std::string& words) const {

@@ -60,6 +60,7 @@ class DesktopHand {
   struct Place {
     int left = 0, top = 0, right = 0, bottom = 0;
     bool enabled = false;
+    bool operator==(const Place&) const = default;
   };
   std::map<std::string, Place> places() const;
   Place place(const std::string& name) const;
