@@ -125,6 +125,10 @@ void DesktopHand::wait_for(const std::string& name, bool any) const {
   if (!came) throw std::runtime_error("no widget \"" + name + "\" among:\n" + read_all(map_) + errors());
 }
 
+void DesktopHand::wait_for_file(const std::filesystem::path& path) const {
+  if (!soon([&] { return std::filesystem::exists(path); })) throw std::runtime_error("no file " + path.string());
+}
+
 DesktopHand::Place DesktopHand::place(const std::string& name) const {
   // What was just unfolded or drawn may still be moving.
   Place last;

@@ -41,6 +41,9 @@ class DesktopHand {
   /// does not come.
   void wait_for(const std::string& name, bool any = false) const;
 
+  /// Waits until a file is there.
+  void wait_for_file(const std::filesystem::path& path) const;
+
   void click(const std::string& name) const;
   /// Presses on a widget, moves by so many pixels, lets go.
   void drag(const std::string& name, int right, int down) const;
