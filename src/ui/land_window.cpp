@@ -61,7 +61,15 @@ std::vector<LandPart> LandWindow::lands(const Snapshot& now) const {
 }
 
 void LandWindow::take_wanted_view(const std::vector<LandPart>& lands) {
-  if (scenery_.wanted_view.empty() || lands.empty()) return;
+  if (lands.empty()) return;
+  const Terrain& terrain = *lands.front().run->terrain;
+  const std::array<double, 2> extent{terrain.nx() * terrain.cell_size(), terrain.ny() * terrain.cell_size()};
+  // A land of another size is shown whole, from above if the last one was, else as a block.
+  if (scenery_.wanted_view.empty() && extent != extent_) {
+    scenery_.wanted_view = scenery_.camera.camera().orthographic ? "top" : "block";
+  }
+  extent_ = extent;
+  if (scenery_.wanted_view.empty()) return;
   const LandBox box = Renderer::land_of(view_of_run(*lands.front().run), scenery_.look);
   scenery_.camera.choose(scenery_.wanted_view, box, lands.front().part.aspect());
   scenery_.wanted_view.clear();

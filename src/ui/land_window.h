@@ -1,6 +1,7 @@
 // The land in the middle of the window: where it lies, what mouse and keys do on it, what is written over it.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -44,6 +45,7 @@ class LandWindow {
   Scenery& scenery_;
   GroundOfRun ground_;
   WindowPart area_;
+  std::array<double, 2> extent_{};  // of the land that the camera was last placed for, m
   std::vector<WindowPart> parts_;
   std::vector<std::string> notes_;
   std::size_t under_pointer_ = 0;  // the part

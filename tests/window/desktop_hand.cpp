@@ -125,9 +125,23 @@ void DesktopHand::wait_for(const std::string& name, bool any) const {
   if (!came) throw std::runtime_error("no widget \"" + name + "\" among:\n" + read_all(map_) + errors());
 }
 
+void DesktopHand::wait_for_file(const std::filesystem::path& path) const {
+  if (!soon([&] { return std::filesystem::exists(path); })) throw std::runtime_error("no file " + path.string());
+}
+
 DesktopHand::Place DesktopHand::place(const std::string& name) const {
-  wait_for(name);
-  return places().at(name);
+  // What was just unfolded or drawn may still be moving.
+  Place last;
+  Place now;
+  do {
+    last = now;
+    wait_for(name);
+    const auto all = places();
+    const auto found = all.find(name);
+    if (found != all.end()) now = found->second;
+    std::this_thread::sleep_for(350ms);
+  } while (!(now == last));
+  return now;
 }
 
 void DesktopHand::command(const std::string& words) const {

@@ -41,6 +41,9 @@ class DesktopHand {
   /// does not come.
   void wait_for(const std::string& name, bool any = false) const;
 
+  /// Waits until a file is there.
+  void wait_for_file(const std::filesystem::path& path) const;
+
   void click(const std::string& name) const;
   /// Presses on a widget, moves by so many pixels, lets go.
   void drag(const std::string& name, int right, int down) const;
@@ -60,6 +63,7 @@ class DesktopHand {
   struct Place {
     int left = 0, top = 0, right = 0, bottom = 0;
     bool enabled = false;
+    bool operator==(const Place&) const = default;
   };
   std::map<std::string, Place> places() const;
   Place place(const std::string& name) const;

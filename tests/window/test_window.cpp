@@ -53,7 +53,7 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   hand.click("LOOK/show=slope");
   hand.key("ctrl+s");
   hand.enter("SAVE AS/name", (folder / "mine").string());
-  hand.click("SAVE AS/SAVE");
+  hand.wait_for_file(folder / "mine.json");
   const Config saved = read_config(folder / "mine.json");
   EXPECT_EQ(saved.grid.integer("nx"), 96);
   EXPECT_FALSE(saved.wind.seasons.front().curve == BezierCurve{});
