@@ -60,7 +60,7 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
   largest_step_ = std::max({law.bare.straight, law.covered.straight, law.bare.diagonal, law.covered.diagonal});
   if (loaded_ != &terrain || revision_ != terrain.revision()) {
     load(terrain, frame);
-  } else if (!frame_.same_axes(frame)) {
+  } else if (!lies_ready_for(frame)) {
     settle(terrain);
     load(terrain, frame);
   }
@@ -142,6 +142,14 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     plan.ring_rows = rows;
     for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
     team_.meet();
+    if (layout_.lean != 0) {
+      // What hangs over into a member's strip it takes itself: those places are in its own processor's cache.
+      const auto strips = static_cast<int>(mine.strips.size());
+      for (int k = first_strip; k < end_strip; ++k) {
+        kernels.hand_over(plan, mine.strips[static_cast<std::size_t>((k + strips - 1) % strips)]);
+      }
+      team_.meet();
+    }
     for (int k = first_strip; k < end_strip; ++k) {
       Strip<Lane>& strip = mine.strips[static_cast<std::size_t>(k)];
       if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);
@@ -197,8 +205,9 @@ void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<
   const int blocks = plan.layout.blocks;
   const auto [first, end] = share(blocks * tile_rows_of(length), member);
   for (int k = first; k < end; ++k) kernels.slide_tile(plan, tile_number(k, length));
-  // Where members hold whole blocks, the seams inside them wait for nobody.
-  if (blocks % team_.size() != 0) team_.meet();
+  // Where members hold whole blocks, the seams inside them wait for nobody; over the edge of a skewed torus they meet
+  // other blocks.
+  if (blocks % team_.size() != 0 || plan.layout.lean != 0) team_.meet();
   for (int k = first; k < end; ++k) {
     const SlideTile tile = tile_number(k, length);
     if (tile.end_row < length || (!plan.open && length > 2)) kernels.slide_row_seam(plan, tile);

@@ -24,6 +24,10 @@ inline constexpr int narrow_arrivals = 100;
 
 /// How a plane of the grid lies in memory: cut into blocks of columns, each whole and one after another, so that
 /// threads which work on different columns touch different memory (and what their prefetchers read ahead is their own).
+///
+/// The planes of an oblique wind are *skewed*: column u of row v stands in *place* u - skew(v), round the torus, so
+/// that lines, which drift sideways with the wind, stay in a block from the first row to the last (but for two
+/// columns).
 struct PlaneLayout {
   int width = 0;
   int length = 0;
@@ -31,6 +35,7 @@ struct PlaneLayout {
   int blocks = 0;
   int pitch = 0;  ///< lanes from one row of a block to the next
   std::size_t block_size = 0;
+  std::int64_t lean = 0;  ///< columns of skew for one row, times 2^24; 0: place and column are the same
 
   ERG_CELL_RULE std::size_t at(int block, int column_in_block, int row) const {
     return static_cast<std::size_t>(block) * block_size +
@@ -39,6 +44,34 @@ struct PlaneLayout {
   ERG_CELL_RULE int columns_of(int block) const {
     return block + 1 < blocks ? block_columns : width - block * block_columns;
   }
+  /// The block of a place.
+  ERG_CELL_RULE int block_of(int place) const {
+    const int block = place / block_columns;
+    return block < blocks ? block : blocks - 1;
+  }
+  /// Columns by which a row is shifted, at most those by which a line has drifted there.
+  ERG_CELL_RULE int skew(int row) const { return static_cast<int>((row * lean) >> 24) - (lean != 0 ? 1 : 0); }
+  ERG_CELL_RULE std::size_t at_place(int place, int row) const {
+    const int block = block_of(place);
+    return at(block, place - block * block_columns, row);
+  }
+  /// A number of columns or places, round the torus.
+  ERG_CELL_RULE int wrapped(int column) const {
+    const int rest = column % width;
+    return rest < 0 ? rest + width : rest;
+  }
+};
+
+/// On skewed planes a line stands in its own place or up to so many places beside it: a part for the phase, a part for
+/// the rounded drift, and one that `skew` holds back.
+inline constexpr int most_lead = 3;
+
+/// Cells of one row that stand in the places of the next strip. They are handed over after the conveyor, or two threads
+/// would write to the same piece of memory all the time.
+template <typename Lane>
+struct Overhang {
+  Lane lead = 0;
+  Lane heights[most_lead] = {};
 };
 
 /// Everything that all strips of a sub-sweep share. `Lane` counts slabs: 8 or 16 bits.
@@ -96,8 +129,9 @@ struct Strip {
   SweepCounts counts;
   std::int64_t last_arrival = -1;        ///< no slab in the air comes down after this row
   alignas(64) Shadow line[strip_lines];  ///< height of the shadow line, 1/256 slabs
-  alignas(64) Shadow near[strip_lines];  ///< the same for the adjacent cell (oblique winds)
+  alignas(64) Lane upwind[strip_lines];  ///< height of the row before (oblique winds)
   alignas(64) Lane target[strip_lines];  ///< the row of the block in which the line is polled
+  Overhang<Lane>* overhang = nullptr;    ///< of each row; null where planes are not skewed
   Lane* ring = nullptr;                  ///< ring_rows x strip_lines, empty (0) between sub-sweeps
 };
 
@@ -139,9 +173,10 @@ enum EdgeClass : std::uint8_t {
 template <typename Lane>
 struct SweepKernels {
   void (*convey)(const SweepPlan<Lane>&, Strip<Lane>&);          ///< rows 0 ... length - 1 of a strip's lines
+  void (*hand_over)(const SweepPlan<Lane>&, Strip<Lane>&);       ///< writes a strip's overhang
   void (*carry)(const SweepPlan<Lane>&, Strip<Lane>&);           ///< slabs still in the air go on over the torus edge
   void (*slide_tile)(const SlidePlan<Lane>&, const SlideTile&);  ///< all edges inside a tile
-  void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to the tile above it
+  void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to what lies above a tile
   void (*slide_column_seam)(const SlidePlan<Lane>&, int left, int right);  ///< edges between two blocks
 };
 

@@ -60,5 +60,19 @@ TEST(TurnedScenes, GiveTurnedRuns) {
   }
 }
 
+TEST(TurnedScenes, GiveTurnedRunsWhereThePlanesAreSkewed) {
+  for (const Motion& motion : motions()) {
+    World world{.extent = {290, 290}, .wind = {250, 5}, .settings = {{"neighbours", std::string("8")}}};
+    Terrain terrain = world.strewn();
+    raise_rocks(terrain, 12);
+    Terrain turned = moved(terrain, motion.map);
+    const ExecutorOptions options{.name = "cpu", .threads = 2};
+    world.run(terrain, options, 4);
+    world.wind.bearing = motion.bearing(world.wind.bearing);
+    world.run(turned, options, 4);
+    EXPECT_EQ(state_hash(turned), state_hash(moved(terrain, motion.map))) << motion.name;
+  }
+}
+
 }  // namespace
 }  // namespace erg::test
