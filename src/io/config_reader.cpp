@@ -46,9 +46,9 @@ std::vector<std::string> keys_of(const Parameters& declared) {
   return keys;
 }
 
-class Reader {
+class ConfigReader {
  public:
-  Reader(std::string_view text, const std::string& name)
+  ConfigReader(std::string_view text, const std::string& name)
       : tree_(read_json(text, name)), reading_{{}, MistakeList(name)} {}
 
   ConfigReading read() {
@@ -374,6 +374,8 @@ void MistakeList::throw_if_any() const {
   throw InputError(std::move(mistakes));
 }
 
-ConfigReading read_config_text(std::string_view text, const std::string& name) { return Reader(text, name).read(); }
+ConfigReading read_config_text(std::string_view text, const std::string& name) {
+  return ConfigReader(text, name).read();
+}
 
 }  // namespace erg
