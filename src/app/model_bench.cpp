@@ -14,7 +14,7 @@
 namespace erg {
 namespace {
 
-constexpr int growing_steps = 3;  // enough for a rough bed
+constexpr int first_steps = 3;  // enough for a rough bed
 constexpr int measured_steps = 4;
 constexpr int largest_bench_side = 256;
 
@@ -34,7 +34,7 @@ ModelBenchRow measure_grains(const std::string& model, int side, const std::stri
   if (grain_model == nullptr) {
     throw InputError("--model", "\"" + model + "\" moves neither slabs nor grains", "see `erg models`");
   }
-  for (int step = 0; step < growing_steps; ++step) simulation.step();
+  for (int step = 0; step < first_steps; ++step) simulation.step();
   std::int64_t polls = 0;
   std::int64_t grain_steps = 0;
   const double processor_start = processor_seconds();

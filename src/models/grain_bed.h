@@ -42,7 +42,7 @@ class GrainBed {
   /// A loose grain leaves the cell: at most one thread may do that for a cell.
   void take(int u, int v) { ++gone_[at(u, v)]; }
   /// A grain comes to rest in the cell; for any thread.
-  void give(CellPlace place) { add(come_, place.u, place.v, 1); }
+  void give(BedCell place) { add(come_, place.u, place.v, 1); }
   /// An impact asks for `grains` of the cell; `speed` in m/s. For any thread.
   void ask(int u, int v, int grains, float speed);
 

@@ -306,16 +306,16 @@ ERG_CELL_RULE FlightEnd fly(const GrainLaw& law, const FrozenGround& ground, Gra
 }
 
 /// A cell of the frame.
-struct CellPlace {
+struct BedCell {
   int u;
   int v;
 };
 
 /// Where a grain that comes down at (grain.u, grain.v) stays: there, or in a lower neighbour that it rolls into, with a
 /// chance that grows with the slope. So hollows of a cell fill up first.
-ERG_CELL_RULE CellPlace resting_place(const GrainLaw& law, const FrozenGround& ground, const Grain& grain,
-                                      GrainDice& dice) {
-  CellPlace place{cell_of(grain.u, ground.width), cell_of(grain.v, ground.length)};
+ERG_CELL_RULE BedCell resting_place(const GrainLaw& law, const FrozenGround& ground, const Grain& grain,
+                                    GrainDice& dice) {
+  BedCell place{cell_of(grain.u, ground.width), cell_of(grain.v, ground.length)};
   const int way = static_cast<int>(dice.next() >> 62);
   const int next_u = place.u + (way == 0 ? 1 : way == 1 ? -1 : 0);
   const int next_v = place.v + (way == 2 ? 1 : way == 3 ? -1 : 0);

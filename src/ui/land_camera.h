@@ -26,10 +26,10 @@ class LandGround {
 /// What the hand does in one frame. Lengths are shares of the picture's height.
 struct CameraInput {
   PicturePoint cursor = {};  ///< where the pointer is
-  bool orbit = false;   ///< a drag that turns the camera round its target
-  bool pan = false;     ///< a drag that shifts the land
-  bool look = false;    ///< a drag that turns the view about the eye
-  double right = 0;     ///< how far the pointer went in this frame
+  bool orbit = false;        ///< a drag that turns the camera round its target
+  bool pan = false;          ///< a drag that shifts the land
+  bool look = false;         ///< a drag that turns the view about the eye
+  double right = 0;          ///< how far the pointer went in this frame
   double up = 0;
   double wheel = 0;     ///< clicks of the wheel, positive nearer
   double forwards = 0;  ///< flying keys: -1, 0 or 1

@@ -12,6 +12,7 @@ namespace erg {
 namespace panel_title {
 inline constexpr const char* setup = "SETUP";
 inline constexpr const char* wind = "WIND";
+inline constexpr const char* temperature = "TEMPERATURE";
 inline constexpr const char* numbers = "NUMBERS";
 inline constexpr const char* section = "SECTION";
 inline constexpr const char* paint = "PAINT";
@@ -29,6 +30,7 @@ inline constexpr const char* recovery = "RECOVERY";
 // One maker a panel; each is in a file of its own.
 std::unique_ptr<Panel> make_setup_panel();
 std::unique_ptr<Panel> make_wind_panel();
+std::unique_ptr<Panel> make_temperature_panel();
 std::unique_ptr<Panel> make_numbers_panel();
 std::unique_ptr<Panel> make_section_panel();
 std::unique_ptr<Panel> make_paint_panel();

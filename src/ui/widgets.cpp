@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/curve_editor.h"
+
 namespace erg {
 namespace {
 
@@ -29,20 +31,13 @@ void begin_row(const Row& row) {
   const float whole = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, row.unavailable.empty() ? theme.text : theme.faint);
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float wide = whole * label_share - ImGui::GetStyle().ItemSpacing.x;
   const float text_wide = ImGui::CalcTextSize(row.label.c_str()).x;
-  if (text_wide <= wide) {
-    ImGui::TextUnformatted(row.label.c_str());
-  } else {
-    const ImVec2 end{corner.x + wide, corner.y + ImGui::GetFrameHeight()};
-    const ImVec2 at{corner.x, corner.y + ImGui::GetStyle().FramePadding.y};
-    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, end, end.x, end.x, row.label.c_str(), nullptr, nullptr);
-    ImGui::Dummy({wide, ImGui::GetTextLineHeight()});
-  }
+  ImGui::TextUnformatted(row.label.c_str());
   ImGui::PopStyleColor();
-  tooltip(text_wide > wide ? row.label + "\n" + row.tooltip : row.tooltip);
-  ImGui::SameLine();
+  tooltip(row.tooltip);
+  // A long label has a line of its own.
+  if (text_wide <= wide) ImGui::SameLine();
   ImGui::SetCursorPosX(left + whole * label_share);
   ImGui::SetNextItemWidth(whole * (entry_end - label_share) - reset_width());
   ImGui::BeginDisabled(!row.unavailable.empty());
@@ -288,6 +283,25 @@ std::string parameter_tooltip(const Parameter& parameter) {
   return text;
 }
 
+/// A curve of points under its label; a row to itself.
+static RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& curve) {
+  const WidgetScope scope(row.label);
+  ImGui::TextUnformatted(row.label.c_str());
+  tooltip(row.tooltip);
+  ImGui::BeginDisabled(!row.unavailable.empty());
+  const std::vector<CurvePoint>& standard = std::get<PiecewiseLinear>(parameter.standard).vertices;
+  CurveFrame frame;
+  frame.x_label = parameter.across;
+  frame.y_label = parameter.unit;
+  frame.x = {std::min(standard.front().x, curve.vertices.front().x),
+             std::max(standard.back().x, curve.vertices.back().x)};
+  frame.y = {parameter.minimum, parameter.maximum};
+  frame.height = Gui::current().px(170);
+  const bool changed = edit_points("points", curve.vertices, standard, frame);
+  ImGui::EndDisabled();
+  return changed ? RowEvent::changed : RowEvent::none;
+}
+
 RowEvent parameter_row(const Parameter& parameter, ParameterValue& value, bool needs_new_terrain,
                        std::string unavailable) {
   const Row row{parameter.label,   parameter.unit,        parameter_tooltip(parameter), value != parameter.standard,
@@ -318,6 +332,9 @@ RowEvent parameter_row(const Parameter& parameter, ParameterValue& value, bool n
       break;
     case ParameterKind::path:
       event = text_row(row, std::get<std::string>(value));
+      break;
+    case ParameterKind::curve:
+      event = curve_row(row, parameter, std::get<PiecewiseLinear>(value));
       break;
   }
   if (event == RowEvent::reset) value = parameter.standard;

@@ -32,6 +32,7 @@ void put_in_place(WindEditor wind, const std::vector<Season>& seasons) {
     wind.set_last(index, season.last);
     wind.set_steps(index, season.steps);
     wind.set_curve(index, season.curve);
+    wind.set_snowfall(index, season.snowfall);
   }
 }
 
@@ -48,6 +49,7 @@ class WindPanel final : public Panel {
   void draw_list_buttons(WindEditor wind);
   void draw_bearing(WindEditor wind);
   void draw_strengths(WindEditor wind, const std::string& strength_label);
+  void draw_snowfall(WindEditor wind) const;
   void draw_curve(WindEditor wind, const Studio& studio, const std::string& strength_label);
   void draw_cycle(const WindEditor& wind, std::int64_t step, const std::string& strength_label) const;
   static void draw_rose(const WindEditor& wind, const Studio& studio);
@@ -66,7 +68,10 @@ void WindPanel::draw_kind(WindEditor wind) {
       seasons) {
     put_aside_ = wind.regime().seasons;
     const Season blowing = wind.season(std::min(selected_, wind.seasons() - 1));
-    put_in_place(wind, {Season{blowing.bearing, blowing.first, blowing.first, blowing.steps, {}}});
+    Season constant = blowing;
+    constant.last = constant.first;
+    constant.curve = {};
+    put_in_place(wind, {constant});
     seasons_wanted_ = false;
     selected_ = 0;
   }
@@ -178,6 +183,18 @@ void WindPanel::draw_strengths(WindEditor wind, const std::string& strength_labe
   if (steps_event == RowEvent::changed) wind.set_steps(selected_, steps);
 }
 
+void WindPanel::draw_snowfall(WindEditor wind) const {
+  const Parameter declared = season_snowfall_parameter();
+  const double standard = std::get<double>(declared.standard);
+  double value = wind.season(selected_).snowfall;
+  const RowEvent event = real_row({.label = declared.label,
+                                   .unit = declared.unit,
+                                   .tooltip = parameter_tooltip(declared),
+                                   .changed = value != standard},
+                                  value, declared.minimum, declared.maximum);
+  if (event != RowEvent::none) wind.set_snowfall(selected_, event == RowEvent::reset ? standard : value);
+}
+
 void WindPanel::draw_curve(WindEditor wind, const Studio& studio, const std::string& strength_label) {
   const Season& season = wind.season(selected_);
   if (season.first == season.last) {
@@ -259,6 +276,7 @@ void WindPanel::draw(Desk& desk) {
   }
   draw_bearing(wind);
   draw_strengths(wind, strength_label);
+  if (studio.setup().material() == Material::snow) draw_snowfall(wind);
   if (shows_seasons(wind)) {
     draw_curve(wind, studio, strength_label);
     if (section("The whole cycle")) draw_cycle(wind, studio.now().step(), strength_label);
