@@ -30,14 +30,12 @@ vec3 sky(vec3 direction) {
   return colour;
 }
 
-// What of a colour is left at a distance, and the haze that comes in its place.
-vec3 through_air(vec3 colour, vec3 point) {
-  if (haze_depth <= 0.0) return colour;
+// The haze before a point: its colour, and what it leaves of what lies behind.
+vec4 haze_at(vec3 point) {
+  if (haze_depth <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
   vec3 away = point - eye;
   float path = length(away) / haze_depth;
-  float left = exp(-path * path * path);
-  vec3 direction = away / max(length(away), 1e-6);
-  return mix(sky(vec3(normalize(direction.xy), 0.0)), colour, left);
+  return vec4(sky(vec3(normalize(away.xy), 0.0)), exp(-path * path * path));
 }
 
 // Rolls bright colours off softly.

@@ -1,9 +1,7 @@
 // The smooth surface at any point, by cubic B-splines (four bilinear reads each, Sigg & Hadwiger 2005).
-uniform sampler2D surface;   // height and thickness of the mobile layer, m
-uniform vec2 surface_texels; // columns and rows of it
-uniform vec2 land;           // m: extent east and north
-uniform float exaggeration;
-uniform bool raw_cells;      // no smoothing: straight lines from cell to cell
+#include "sheet.glsl"
+uniform sampler2D surface;    // height and thickness of the mobile layer, m
+uniform vec2 surface_texels;  // columns and rows of it
 
 void spline_value(float t, out vec2 weight, out vec2 place) {
   float s = 1.0 - t;
@@ -11,16 +9,6 @@ void spline_value(float t, out vec2 weight, out vec2 place) {
   float w1 = (4.0 - 3.0 * t * t * (2.0 - t)) / 6.0;
   float w2 = (4.0 - 3.0 * s * s * (2.0 - s)) / 6.0;
   float w3 = t * t * t / 6.0;
-  weight = vec2(w0 + w1, w2 + w3);
-  place = vec2(w1 / weight.x - 1.0, w3 / weight.y + 1.0);
-}
-
-void spline_slope(float t, out vec2 weight, out vec2 place) {
-  float s = 1.0 - t;
-  float w0 = -0.5 * s * s;
-  float w1 = t * (1.5 * t - 2.0);
-  float w2 = 0.5 + t * (1.0 - 1.5 * t);
-  float w3 = 0.5 * t * t;
   weight = vec2(w0 + w1, w2 + w3);
   place = vec2(w1 / weight.x - 1.0, w3 / weight.y + 1.0);
 }
@@ -34,8 +22,9 @@ vec2 blend_reads(vec2 base, vec2 weight_x, vec2 place_x, vec2 weight_y, vec2 pla
                        weight_x.y * textureLod(surface, high, 0.0).rg);
 }
 
-// Height and sand at a place (0 to 1 over the land).
-vec2 surface_at(vec2 place) {
+// Height and sand at a place of the land, m.
+vec2 surface_at(vec2 metres) {
+  vec2 place = on_maps(metres);
   if (raw_cells) return textureLod(surface, place, 0.0).rg;
   vec2 point = place * surface_texels - 0.5;
   vec2 base = floor(point);
@@ -43,19 +32,4 @@ vec2 surface_at(vec2 place) {
   spline_value(point.x - base.x, weight_x, place_x);
   spline_value(point.y - base.y, weight_y, place_y);
   return blend_reads(base, weight_x, place_x, weight_y, place_y);
-}
-
-// The slope of the ground to the east and north.
-vec2 slope_at(vec2 place) {
-  vec2 point = place * surface_texels - 0.5;
-  vec2 base = floor(point);
-  vec2 t = point - base;
-  vec2 value_x, at_x, value_y, at_y, slope_x, slope_at_x, slope_y, slope_at_y;
-  spline_value(t.x, value_x, at_x);
-  spline_value(t.y, value_y, at_y);
-  spline_slope(t.x, slope_x, slope_at_x);
-  spline_slope(t.y, slope_y, slope_at_y);
-  float east = blend_reads(base, slope_x, slope_at_x, value_y, at_y).r;
-  float north = blend_reads(base, value_x, at_x, slope_y, slope_at_y).r;
-  return vec2(east, north) * surface_texels / land * exaggeration;
 }

@@ -79,7 +79,20 @@ class Contestant {
   double best_ = 0;
 };
 
-ExecutorOptions cpu_options(int threads, int sweeps) { return {.name = "cpu", .threads = threads, .sweeps = sweeps}; }
+/// What is measured beside serial on `threads` threads, and where `beside_one` on one thread too.
+std::vector<ExecutorOptions> measured_options(const BenchOptions& options, bool beside_one) {
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = options.threads > 0 ? options.threads : processors;
+  const std::vector<int> sweeps = options.sweeps > 0 ? std::vector<int>{options.sweeps} : std::vector<int>{8, 16};
+  std::vector<ExecutorOptions> all;
+  for (const int k : sweeps) {
+    if (beside_one && threads > 1 && options.executor == "cpu") {
+      all.push_back({.name = options.executor, .threads = 1, .sweeps = k});
+    }
+    all.push_back({.name = options.executor, .threads = threads, .sweeps = k});
+  }
+  return all;
+}
 
 Scene grow(const std::string& model, const std::string& kind, const BenchOptions& options) {
   Config config(model);
@@ -139,16 +152,8 @@ std::vector<BenchRow> measure_in_turns(const std::string& model, const Contest& 
 }
 
 std::vector<BenchRow> bench_model(const std::string& model, const BenchOptions& options) {
-  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int threads = options.threads > 0 ? options.threads : processors;
-  const std::vector<int> sweeps = options.sweeps > 0 ? std::vector<int>{options.sweeps} : std::vector<int>{8, 16};
-  std::vector<ExecutorOptions> all;
-  std::vector<ExecutorOptions> on_all_threads;
-  for (const int k : sweeps) {
-    if (threads > 1) all.push_back(cpu_options(1, k));
-    all.push_back(cpu_options(threads, k));
-    on_all_threads.push_back(cpu_options(threads, k));
-  }
+  const std::vector<ExecutorOptions> all = measured_options(options, true);
+  const std::vector<ExecutorOptions> on_all_threads = measured_options(options, false);
 
   const Scene dunes = grow(model, "flat", options);
   Scene oblique = dunes;
@@ -173,12 +178,8 @@ std::vector<BenchRow> bench_model(const std::string& model, const BenchOptions& 
 }  // namespace
 
 std::vector<BenchRow> run_bench(const BenchOptions& options) {
-  std::vector<std::string> models = options.models;
-  if (models.empty()) {
-    for (const ModelType& type : catalogue()) models.push_back(type.info.key);
-  }
   std::vector<BenchRow> rows;
-  for (const std::string& model : models) {
+  for (const std::string& model : options.models) {
     for (BenchRow& row : bench_model(find_model(model).info.key, options)) rows.push_back(std::move(row));
   }
   return rows;

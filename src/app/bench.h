@@ -9,7 +9,8 @@ namespace erg {
 
 struct BenchOptions {
   int grid = 1024;                  ///< cells a side
-  std::vector<std::string> models;  ///< keys; empty: every model
+  std::vector<std::string> models;  ///< keys of slab models
+  std::string executor = "cpu";     ///< measured beside serial: "cpu" or "cuda"
   int threads = 0;                  ///< measured beside one thread; 0: one for each processor
   int sweeps = 0;                   ///< K; 0: 8 and 16
   double bearing = 270;             ///< degrees

@@ -6,16 +6,20 @@
 #include "app/bench.h"
 #include "app/command.h"
 #include "app/measured_run.h"
+#include "app/model_bench.h"
 #include "app/render_bench.h"
 #include "app/text_table.h"
 #include "core/terrain.h"
+#include "models/model.h"
+#include "models/slab_model.h"
 #include "render/gl_context.h"
+#include "transport/executor.h"
 #include "wind/bearing.h"
 
 namespace erg {
 namespace {
 
-std::string json_text(const std::vector<BenchRow>& rows) {
+std::string json_text(const std::vector<BenchRow>& rows, const std::vector<ModelBenchRow>& grain_rows) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const BenchRow& row : rows) {
     nlohmann::ordered_json object;
@@ -33,13 +37,25 @@ std::string json_text(const std::vector<BenchRow>& rows) {
     object["state_hash"] = hash_text(row.hash);
     list.push_back(std::move(object));
   }
+  for (const ModelBenchRow& row : grain_rows) {
+    list.push_back({{"model", row.model},
+                    {"nx", row.side},
+                    {"ny", row.side},
+                    {"executor", row.executor},
+                    {"threads", row.threads},
+                    {"polls_per_second", row.polls_per_second},
+                    {"grain_steps_per_second", row.grain_steps_per_second},
+                    {"grain_steps_per_cpu_second", row.grain_steps_per_cpu_second},
+                    {"state_hash", hash_text(row.hash)}});
+  }
   return list.dump(2) + "\n";
 }
 
-std::string table_text(const std::vector<BenchRow>& rows) {
+std::string table_text(const std::vector<BenchRow>& rows, const std::string& executor) {
   constexpr double million = 1e6;
   TextTable table;
-  table.heading = {"model", "scene", "bearing", "K", "threads", "serial", "cpu", "cpu / serial", "of plain dunes"};
+  table.heading = {"model",         "scene", "bearing", "K", "threads", "serial", executor, executor + " / serial",
+                   "of plain dunes"};
   for (const BenchRow& row : rows) {
     if (row.sweeps == 0) continue;  // the serial figure stands beside each of the others
     table.rows.push_back({row.model, row.scene, fixed_text(row.bearing, 0), std::to_string(row.sweeps),
@@ -49,9 +65,24 @@ std::string table_text(const std::vector<BenchRow>& rows) {
                           fixed_text(row.polls_per_second / row.plain_polls_per_second, 2)});
   }
   return table.aligned() +
-         "\nserial, cpu: million polls a second, the best of several repeats in which all take turns. Of plain dunes: "
-         "the "
-         "same executor\nwithout the oblique wind, cover or obstacles.\n";
+         "\nMillion polls a second, the best of several repeats in which all take turns. Of plain dunes: the same "
+         "executor\nwithout the oblique wind, cover or obstacles.\n";
+}
+
+/// Takes the models of single grains out of those to measure (all models when none is named) and returns them.
+std::vector<std::string> take_grain_models(BenchOptions& options) {
+  std::vector<std::string> wanted = options.models;
+  if (wanted.empty()) {
+    for (const ModelType& type : catalogue()) wanted.push_back(type.info.key);
+  }
+  options.models.clear();
+  std::vector<std::string> grain_models;
+  for (const std::string& key : wanted) {
+    const ModelType& type = find_model(key);
+    const auto made = type.make(ParameterValues(type.parameters));
+    (dynamic_cast<const SlabModel*>(made.get()) != nullptr ? options.models : grain_models).push_back(key);
+  }
+  return grain_models;
 }
 
 /// Times of pictures as a table.
@@ -59,12 +90,22 @@ std::string render_text(const std::string& context) {
   std::string renderer;
   const std::vector<RenderBenchRow> rows = run_render_bench({256, 1024, 4096}, context, renderer);
   TextTable table;
-  table.heading = {"grid", "quality", "drawn", "first (s)", "turned (s)", "changed (s)", "triangles"};
+  table.heading = {"grid", "quality", "drawn", "first", "turned", "a tenth changed", "all changed", "triangles"};
+  const auto both = [](const PictureTime& time) {
+    return fixed_text(time.wall, 3) + " (" + fixed_text(time.processor, 3) + ")";
+  };
   for (const RenderBenchRow& row : rows) {
-    table.rows.push_back({std::to_string(row.grid), row.quality, row.drawn, fixed_text(row.first, 3),
-                          fixed_text(row.turned, 3), fixed_text(row.changed, 3), std::to_string(row.triangles)});
+    table.rows.push_back({std::to_string(row.grid), row.quality, row.drawn, both(row.first), both(row.turned),
+                          both(row.tenth), both(row.all), std::to_string(row.triangles)});
   }
-  return table.aligned() + "\nSeconds for a picture of 1280 x 720 pixels, drawn by " + renderer + ".\n";
+  return table.aligned() + "\nSeconds (in brackets: of the processor) for a picture of 1280 x 720 pixels, drawn by " +
+         renderer + ".\n";
+}
+
+/// Why this executor cannot be measured here; empty where it can.
+std::string why_not(const std::string& executor) {
+  const auto probe = make_executor({.name = executor, .threads = 1});
+  return probe->name() == executor ? std::string() : probe->take_notice();
 }
 
 }  // namespace
@@ -83,6 +124,9 @@ void add_bench_command(CLI::App& program, Action& action) {
       ->capture_default_str()
       ->check(CLI::Range(16, largest_side));
   command->add_option("--model", options->bench.models, "Model to measure (may be repeated; default: all)");
+  command->add_option("--executor", options->bench.executor, "Executor to measure beside serial: cpu or cuda")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"cpu", "cuda"}));
   command->add_option("--threads", options->bench.threads, "Threads, measured beside one (0: every processor)")
       ->check(CLI::Range(0, 256));
   command->add_option("--sweeps", options->bench.sweeps, "Sub-sweeps K (default: 8 and 16)")
@@ -100,9 +144,24 @@ void add_bench_command(CLI::App& program, Action& action) {
         std::cout << render_text(options->context);
         return exit_done;
       }
+      if (const std::string why = why_not(options->bench.executor); !why.empty()) {
+        std::cout << "skipped: " << why << "\n";
+        return exit_done;
+      }
       options->bench.bearing = parse_bearing(options->bearing, "--bearing");
-      const std::vector<BenchRow> rows = run_bench(options->bench);
-      std::cout << (options->json ? json_text(rows) : table_text(rows));
+      const std::vector<std::string> grain_models = take_grain_models(options->bench);
+      const bool slabs = !options->bench.models.empty();
+      const std::vector<BenchRow> rows = slabs ? run_bench(options->bench) : std::vector<BenchRow>{};
+      std::vector<ModelBenchRow> grain_rows;
+      for (const std::string& model : grain_models) {
+        for (ModelBenchRow& row : bench_grains(model, options->bench)) grain_rows.push_back(std::move(row));
+      }
+      if (options->json) {
+        std::cout << json_text(rows, grain_rows);
+      } else {
+        std::cout << (slabs ? table_text(rows, options->bench.executor) : "")
+                  << (slabs && !grain_rows.empty() ? "\n" : "") << (grain_rows.empty() ? "" : grains_table(grain_rows));
+      }
       return exit_done;
     };
   });

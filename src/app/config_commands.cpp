@@ -15,7 +15,8 @@ namespace {
 ExitCode check_config(const std::string& name) {
   const std::string path = config_path(name);
   const Config config = read_config(path);
-  read_scene_picture(config);
+  read_picture_of(config.scene);
+  read_picture_of(config.parameters);
   const ModelType& type = find_model(config.model);
   std::cout << path << ": good; " << type.info.title << ", " << config.grid.integer("nx") << " x "
             << config.grid.integer("ny") << " cells, " << config.run.integer("steps") << " steps\n";

@@ -52,6 +52,7 @@ RunStatistics MeasuredRun::statistics() {
   numbers.spectrum = measure_spectrum(coarse_surface(terrain, Layer::surface));
   numbers.migration = migration_.velocity().value_or(Shift{});
   numbers.totals = simulation_.totals();
+  numbers.readings = simulation_.model().readings();
   const auto cell_steps = static_cast<double>(terrain.extent().cells()) * static_cast<double>(simulation_.step_count());
   numbers.flux = cell_steps > 0 ? numbers.totals.travel / cell_steps : 0;
   numbers.ledger = terrain.ledger();
@@ -102,6 +103,7 @@ std::string statistics_json(Simulation& simulation, const RunStatistics& numbers
   object["state_hash"] = hash_text(numbers.hash);
   object["seconds"] = numbers.seconds;
   object["polls_per_second"] = numbers.polls_per_second;
+  for (const Reading& reading : numbers.readings) object[reading.key] = reading.value;
   if (simulation.finished()) object["why_finished"] = simulation.totals().why_finished;
   return object.dump(2) + "\n";
 }

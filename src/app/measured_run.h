@@ -15,11 +15,12 @@ namespace erg {
 /// The numbers of a run, after its last step. Heights in slabs, lengths in cells, bearings in degrees.
 struct RunStatistics {
   Morphometry shape;
-  double shadow_fraction = 0;  ///< share of cells in the shadow of the last wind
-  SpectrumNumbers spectrum;    ///< of the surface
-  Shift migration;             ///< cells a step over the last part of the run; 0 for a flat surface
-  double flux = 0;             ///< slabs per step that pass one cell of a line across the wind, mean since step 0
-  StepReport totals;           ///< since step 0
+  double shadow_fraction = 0;     ///< share of cells in the shadow of the last wind
+  SpectrumNumbers spectrum;       ///< of the surface
+  Shift migration;                ///< cells a step over the last part of the run; 0 for a flat surface
+  double flux = 0;                ///< slabs per step that pass one cell of a line across the wind, mean since step 0
+  StepReport totals;              ///< since step 0
+  std::vector<Reading> readings;  ///< the model's own
   MassLedger ledger;
   std::int64_t mass_now = 0;    ///< slabs on the grid, counted
   std::uint64_t hash = 0;       ///< state_hash

@@ -100,6 +100,8 @@ RunView::RunView(Simulation& simulation) {
   view_.terrain = &terrain;
   view_.fields = {&shadow_};
   view_.wind = bearing;
+  view_.paths = simulation.model().paths();
+  if (simulation.model_type().info.material == Material::snow) view_.cover = Cover::snow;
 }
 
 }  // namespace erg

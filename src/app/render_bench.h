@@ -6,18 +6,26 @@
 
 namespace erg {
 
-/// Seconds for one picture of a grid.
+/// What a picture takes, s. On the processor it is the second that counts: it does not grow with what else runs.
+struct PictureTime {
+  double wall = 0;
+  double processor = 0;  ///< of all threads of this program
+};
+
+/// Times for pictures of a grid.
 struct RenderBenchRow {
   int grid = 0;         ///< cells a side
   std::string quality;  ///< "moving" or "still"
   std::string drawn;    ///< what is drawn of the grid: "512 x 512"
-  double first = 0;     ///< with everything uploaded and computed
-  double turned = 0;    ///< the camera turned, the land as before
-  double changed = 0;   ///< a tenth of the cells changed
+  PictureTime first;    ///< with programs compiled and everything uploaded and computed
+  PictureTime turned;   ///< the camera turned, the land as before
+  PictureTime tenth;    ///< a tenth of the cells changed, side by side
+  PictureTime all;      ///< cells changed everywhere
   long long triangles = 0;
 };
 
-/// Draws dunes on grids of these sizes at 1280 x 720 pixels, without supersampling. `renderer`: what draws, in words.
+/// Draws dunes on grids of these sizes at 1280 x 720 pixels, without supersampling, into the graphics card's memory.
+/// The best of several where pictures are quick. `renderer`: what draws, in words.
 std::vector<RenderBenchRow> run_render_bench(const std::vector<int>& grids, const std::string& context,
                                              std::string& renderer);
 

@@ -5,6 +5,7 @@
 
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/notice.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/run_setup.h"
@@ -21,6 +22,7 @@ struct RenderRequest {
   std::string out;
   std::int64_t steps = -1;  ///< -1: a config's own number; a checkpoint as it is
   std::vector<std::string> assignments;
+  int paths = 0;  ///< ways of grains to draw
   bool quiet = false;
   PictureRequest picture;
 };
@@ -39,11 +41,13 @@ bool grow(const RenderRequest& request, Simulation& simulation) {
   std::int64_t last = request.steps;
   if (last < 0)
     last = is_checkpoint(request.source) ? simulation.step_count() : simulation.config().run.integer("steps");
+  print_notice(simulation.executor());
   Progress progress(progress_style(request.quiet), simulation.model_type().info.title, simulation.step_count(), last);
   const InterruptGuard guard;
   while (simulation.step_count() < last && !simulation.finished()) {
     if (InterruptGuard::interrupted()) return false;
     simulation.step();
+    print_notice(simulation.executor());
     progress.update(simulation.step_count(), simulation.totals().polls);
   }
   return true;
@@ -51,6 +55,7 @@ bool grow(const RenderRequest& request, Simulation& simulation) {
 
 ExitCode render(const RenderRequest& request) {
   Simulation simulation = start(request);
+  simulation.keep_paths(request.paths);
   const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);
   Renderer renderer;
   // A wrong option should be known before the run, not after it.
@@ -86,6 +91,8 @@ void add_render_command(CLI::App& program, Action& action) {
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command->add_option("--paths", request->paths, "Draw the ways of so many grains in the last step (model grains)")
+      ->check(CLI::Range(0, 100000));
   command->add_flag("--quiet", request->quiet, "Print nothing but errors and notes");
   add_picture_options(*command, request->picture);
   command->callback([&action, request] { action = [request] { return render(*request); }; });

@@ -9,6 +9,7 @@
 #include "app/film.h"
 #include "app/interrupt.h"
 #include "app/measured_run.h"
+#include "app/notice.h"
 #include "app/progress.h"
 #include "app/run_output.h"
 #include "app/run_setup.h"
@@ -32,11 +33,13 @@ std::string output_folder(const RunRequest& request) { return request.out.empty(
 void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& run, RunOutput* output, Film* film) {
   const std::int64_t last = simulation.config().run.integer("steps");
   const std::int64_t row_every = request.every > 0 ? request.every : std::max<std::int64_t>(1, last / default_rows);
+  print_notice(simulation.executor());
   Progress progress(progress_style(request.quiet), simulation.model_type().info.title, simulation.step_count(), last);
   if (output != nullptr) output->add_row();
   if (film != nullptr) film->add_frame(simulation);
   while (!run.finished() && !InterruptGuard::interrupted()) {
     run.step();
+    print_notice(simulation.executor());
     progress.update(simulation.step_count(), run.polls());
     if (film != nullptr && simulation.step_count() % request.frames == 0) film->add_frame(simulation);
     if (output == nullptr) continue;
@@ -89,7 +92,7 @@ ExitCode run(const RunRequest& request, const PictureRequest& picture) {
   Simulation simulation = start_simulation(request);
   std::unique_ptr<RunOutput> output;
   if (writes_files(request)) {
-    const std::vector<std::string>& formats = request.formats.empty() ? output_formats() : request.formats;
+    const std::vector<std::string>& formats = request.formats.empty() ? usual_formats() : request.formats;
     output = std::make_unique<RunOutput>(output_folder(request), run_name(request), formats, simulation);
   }
   std::unique_ptr<Film> film;
@@ -140,7 +143,7 @@ void add_run_command(CLI::App& program, Action& action) {
                       "Folder for the files of the run (default: out, once files are asked for)");
   command->add_option("--every", request->every, "Write the files every so many steps, not only at the end")
       ->check(CLI::PositiveNumber);
-  command->add_option("--format", request->formats, "Files to write, with commas: png,png16,vti,csv,checkpoint")
+  command->add_option("--format", request->formats, "Files to write, with commas: png,png16,vti,csv,checkpoint,obj,ply,stl")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(output_formats()));

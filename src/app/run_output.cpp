@@ -6,6 +6,7 @@
 
 #include "io/checkpoint.h"
 #include "io/heightmap.h"
+#include "io/mesh.h"
 #include "io/picture.h"
 #include "io/start_simulation.h"
 #include "io/vti.h"
@@ -33,6 +34,11 @@ void make_folder(const fs::path& folder) {
 }  // namespace
 
 const std::vector<std::string>& output_formats() {
+  static const std::vector<std::string> formats{"png", "png16", "vti", "csv", "checkpoint", "obj", "ply", "stl"};
+  return formats;
+}
+
+const std::vector<std::string>& usual_formats() {
   static const std::vector<std::string> formats{"png", "png16", "vti", "csv", "checkpoint"};
   return formats;
 }
@@ -91,6 +97,19 @@ void RunOutput::write_state() {
     files_.push_back(path);
   }
   if (wants("checkpoint")) write_state_checkpoint();
+  write_meshes(source);
+}
+
+void RunOutput::write_meshes(const Provenance& source) {
+  const auto write = [&](const std::string& format, const auto& writer) {
+    if (!wants(format)) return;
+    const fs::path path = numbered("." + format);
+    writer(path, simulation_.terrain(), source, WriteProgress{});
+    files_.push_back(path);
+  };
+  write("obj", write_obj);
+  write("ply", write_ply);
+  write("stl", write_stl);
 }
 
 fs::path RunOutput::write_state_checkpoint() {

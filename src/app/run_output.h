@@ -14,6 +14,8 @@ namespace erg {
 
 /// What `--format` accepts.
 const std::vector<std::string>& output_formats();
+/// Those that are written when none is asked for: all but the meshes, which are large.
+const std::vector<std::string>& usual_formats();
 
 class RunOutput {
  public:
@@ -35,6 +37,7 @@ class RunOutput {
 
  private:
   bool wants(const std::string& format) const;
+  void write_meshes(const Provenance& source);
   std::filesystem::path numbered(const std::string& ending) const;
 
   std::filesystem::path folder_;

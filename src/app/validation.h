@@ -17,6 +17,10 @@ std::string published_section(const ValidationOptions& options);
 std::string executors_section(const ValidationOptions& options);
 /// Barchans under a straight and several oblique winds.
 std::string bearings_section(const ValidationOptions& options);
+/// Which forms sintering snow takes, by wind and calm hours.
+std::string snow_section(const ValidationOptions& options);
+/// Ripples of the grain model under several winds.
+std::string ripples_section(const ValidationOptions& options);
 /// What follows from the rules by algebra.
 std::string identities_section();
 

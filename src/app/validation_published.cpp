@@ -21,7 +21,8 @@ constexpr PublishedScene published_scenes[] = {
     {"werner_barchans", 26, false}, {"werner_transverse", 28, false}, {"werner_star", 23, false},
     {"werner_linear", 0, false},    {"momiji_barchans", 26, false},   {"momiji_transverse", 34, true},
     {"momiji_star", 22, false},     {"bishop_barchans", 28, false},   {"momiji_barchans_1024", 29, true},
-    {"momiji_rocks", 0, true},
+    {"momiji_rocks", 0, true},      {"nield_nebkhas", 58, false},     {"nield_parabolic", 85, true},
+    {"nield_blowouts", 76, true},   {"nield_islands", 57, false},     {"snow_ripples", 8, false},
 };
 
 std::string deviation_text(double value, double reference) {

@@ -65,6 +65,21 @@ std::optional<Mistake> check_choice(const Parameter& parameter, const ParameterV
   return Mistake{place, "unknown " + parameter.key + " " + in_quotes(*text), suggestion(*text, parameter.choices)};
 }
 
+std::optional<Mistake> check_curve(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
+  const auto* curve = std::get_if<PiecewiseLinear>(&value);
+  if (curve == nullptr) return unacceptable(parameter, value, place);
+  const std::vector<CurvePoint>& vertices = curve->vertices;
+  if (vertices.size() < 2 || vertices.size() > most_vertices) return unacceptable(parameter, value, place);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const auto [x, y] = vertices[k];
+    // Written so that NaN is refused.
+    const bool fits = x >= parameter.across_minimum && x <= parameter.across_maximum && y >= parameter.minimum &&
+                      y <= parameter.maximum;
+    if (!fits || (k > 0 && !(x > vertices[k - 1].x))) return unacceptable(parameter, value, place);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Parameter real_parameter(std::string key, std::string label, std::string unit, double standard, double minimum,
@@ -118,6 +133,18 @@ Parameter path_parameter(std::string key, std::string label, std::string meaning
   return parameter;
 }
 
+Parameter curve_parameter(std::string key, std::string label, std::string unit, PiecewiseLinear standard,
+                          CurveRange across, double minimum, double maximum, std::string meaning, std::string source) {
+  Parameter parameter = real_parameter(std::move(key), std::move(label), std::move(unit), 0, minimum, maximum,
+                                       std::move(meaning), std::move(source));
+  parameter.kind = ParameterKind::curve;
+  parameter.standard = std::move(standard);
+  parameter.across = std::move(across.across);
+  parameter.across_minimum = across.minimum;
+  parameter.across_maximum = across.maximum;
+  return parameter;
+}
+
 Parameter at_start(Parameter parameter) {
   parameter.at_start = true;
   return parameter;
@@ -136,6 +163,8 @@ std::optional<Mistake> check_value(const Parameter& parameter, const ParameterVa
     case ParameterKind::path:
       if (std::holds_alternative<std::string>(value)) return std::nullopt;
       break;
+    case ParameterKind::curve:
+      return check_curve(parameter, value, place);
   }
   return unacceptable(parameter, value, place);
 }
@@ -153,6 +182,8 @@ ParameterValue parse_value(const Parameter& parameter, std::string_view text, co
     constexpr std::array<std::string_view, 3> no{"false", "no", "off"};
     if (std::ranges::find(yes, text) != yes.end()) value = true;
     if (std::ranges::find(no, text) != no.end()) value = false;
+  } else if (parameter.kind == ParameterKind::curve) {
+    if (auto curve = parse_vertices(text)) value = std::move(*curve);
   }
   if (auto mistake = check_value(parameter, value, place)) throw InputError({std::move(*mistake)});
   return stored(parameter, std::move(value));
@@ -166,6 +197,7 @@ std::string value_text(const ParameterValue& value) {
   }
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* curve = std::get_if<PiecewiseLinear>(&value)) return vertices_text(*curve);
   return std::get<std::string>(value);
 }
 
@@ -181,6 +213,9 @@ std::string accepted_text(const Parameter& parameter) {
       return "true or false";
     case ParameterKind::path:
       return "the path of a file";
+    case ParameterKind::curve:
+      return "2 to " + std::to_string(most_vertices) + " vertices x:y, x growing (" + parameter.across + ", " +
+             value_text(parameter.across_minimum) + " to " + value_text(parameter.across_maximum) + "), y " + range;
     case ParameterKind::choice:
       break;
   }
@@ -228,6 +263,24 @@ std::int64_t ParameterValues::integer(std::string_view key) const {
 bool ParameterValues::boolean(std::string_view key) const { return std::get<bool>(value(key)); }
 
 const std::string& ParameterValues::text(std::string_view key) const { return std::get<std::string>(value(key)); }
+
+const PiecewiseLinear& ParameterValues::curve(std::string_view key) const {
+  return std::get<PiecewiseLinear>(value(key));
+}
+
+bool ParameterValues::matters(const Parameter& parameter) const {
+  const std::vector<std::string>& condition = parameter.only_when;
+  if (condition.empty()) return true;
+  const std::string now = value_text(value(condition.front()));
+  return std::find(condition.begin() + 1, condition.end(), now) != condition.end();
+}
+
+const Parameter* wanted_path(const ParameterValues& values) {
+  for (const Parameter& parameter : values.declared()) {
+    if (parameter.kind == ParameterKind::path && values.matters(parameter)) return &parameter;
+  }
+  return nullptr;
+}
 
 std::size_t ParameterValues::position(std::string_view key) const {
   const Parameter* parameter = find(key);

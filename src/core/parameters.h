@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/piecewise_linear.h"
 
 namespace erg {
 
 /// A parameter's value. The alternative is the parameter's kind; a choice and a path are strings.
-using ParameterValue = std::variant<double, std::int64_t, bool, std::string>;
+using ParameterValue = std::variant<double, std::int64_t, bool, std::string, PiecewiseLinear>;
 
-enum class ParameterKind { real, integer, boolean, choice, path };
+enum class ParameterKind { real, integer, boolean, choice, path, curve };
 
 /// The declaration of one parameter.
 struct Parameter {
@@ -25,8 +26,11 @@ struct Parameter {
   std::string unit;   ///< "" for a pure number
   ParameterKind kind = ParameterKind::real;
   ParameterValue standard;  ///< default value, of the kind's alternative
-  double minimum = 0;       ///< for numbers: smallest value allowed
-  double maximum = 0;       ///< for numbers: largest value allowed
+  double minimum = 0;       ///< for numbers: smallest value allowed; for curves: of y
+  double maximum = 0;       ///< for numbers: largest value allowed; for curves: of y
+  std::string across;       ///< for curves: what runs along x, with its unit
+  double across_minimum = 0;
+  double across_maximum = 0;
   std::vector<std::string> choices;
   std::string meaning;
   std::string source;  ///< paper, equation or table; "" for our own
@@ -48,6 +52,17 @@ Parameter choice_parameter(std::string key, std::string label, std::string stand
 Parameter path_parameter(std::string key, std::string label, std::string meaning);
 /// The same declaration, marked as read only when the terrain is made.
 Parameter at_start(Parameter parameter);
+
+/// Where a curve's x runs.
+struct CurveRange {
+  std::string across;  ///< what it is, with its unit
+  double minimum = 0;
+  double maximum = 1;
+};
+/// A function that people may redraw; `unit`, `minimum` and `maximum` are those of y.
+Parameter curve_parameter(std::string key, std::string label, std::string unit, PiecewiseLinear standard,
+                          CurveRange across, double minimum, double maximum, std::string meaning,
+                          std::string source = {});
 
 using Parameters = std::vector<Parameter>;
 
@@ -83,6 +98,10 @@ class ParameterValues {
   std::int64_t integer(std::string_view key) const;
   bool boolean(std::string_view key) const;
   const std::string& text(std::string_view key) const;
+  const PiecewiseLinear& curve(std::string_view key) const;
+
+  /// Whether a parameter of these values matters: what its `only_when` asks for holds.
+  bool matters(const Parameter& parameter) const;
 
   bool operator==(const ParameterValues& other) const { return values_ == other.values_; }
 
@@ -92,5 +111,8 @@ class ParameterValues {
   Parameters declared_;
   std::vector<ParameterValue> values_;
 };
+
+/// The path parameter that matters, or nullptr.
+const Parameter* wanted_path(const ParameterValues& values);
 
 }  // namespace erg

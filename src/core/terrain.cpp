@@ -20,6 +20,11 @@ Grid<std::int32_t>& Terrain::edit_mobile() {
   return mobile_;
 }
 
+std::vector<Field>& Terrain::edit_fields() {
+  ++fields_revision_;
+  return fields_;
+}
+
 std::int64_t Terrain::total_mobile() const {
   return std::accumulate(mobile_.cells().begin(), mobile_.cells().end(), std::int64_t{0});
 }

@@ -80,7 +80,9 @@ class Terrain {
   std::uint64_t revision() const { return revision_; }
 
   const std::vector<Field>& fields() const { return fields_; }
-  std::vector<Field>& edit_fields() { return fields_; }
+  std::vector<Field>& edit_fields();
+  /// Changes whenever writable fields were asked for.
+  std::uint64_t fields_revision() const { return fields_revision_; }
 
   MassLedger& ledger() { return ledger_; }
   const MassLedger& ledger() const { return ledger_; }
@@ -98,6 +100,7 @@ class Terrain {
   std::vector<Field> fields_;
   MassLedger ledger_;
   std::uint64_t revision_ = 0;
+  std::uint64_t fields_revision_ = 0;
 };
 
 /// A hash of everything that decides how the terrain goes on: extent, layers, fields. For golden tests and `--hash`.

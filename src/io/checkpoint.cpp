@@ -108,9 +108,9 @@ void write_terrain(Writer& out, const Terrain& terrain) {
 
 // Reads a file whose checksum has been verified. Still every length is held against what is left of the file before
 // anything is allocated: a checksum is no proof of who wrote it.
-class Reader {
+class CheckpointReader {
  public:
-  explicit Reader(const std::filesystem::path& path) : path_(path), file_(path, std::ios::binary) {
+  explicit CheckpointReader(const std::filesystem::path& path) : path_(path), file_(path, std::ios::binary) {
     if (!file_) refuse("the checkpoint cannot be opened", "check the name and the permissions");
     file_.seekg(0, std::ios::end);
     left_ = static_cast<std::uint64_t>(file_.tellg());
@@ -170,7 +170,7 @@ class Reader {
 };
 
 // Magic, version and checksum; leaves the reader at the payload, with the checksum no longer counted as left.
-void Reader::check_whole() {
+void CheckpointReader::check_whole() {
   std::array<char, 8> start{};
   if (left_ < magic.size() + 2 * sizeof(std::uint32_t)) refuse("this is no checkpoint", "give a file that erg saved");
   bytes(start.data(), start.size());
@@ -197,7 +197,7 @@ void Reader::check_whole() {
   left_ = payload;
 }
 
-StepReport read_totals(Reader& in) {
+StepReport read_totals(CheckpointReader& in) {
   StepReport totals;
   totals.polls = in.number<std::int64_t>();
   totals.lifts = in.number<std::int64_t>();
@@ -209,7 +209,7 @@ StepReport read_totals(Reader& in) {
   return totals;
 }
 
-Field read_field(Reader& in, Extent extent) {
+Field read_field(CheckpointReader& in, Extent extent) {
   Field field;
   for (std::string* text :
        {&field.info.key, &field.info.label, &field.info.unit, &field.info.palette, &field.info.meaning}) {
@@ -221,7 +221,7 @@ Field read_field(Reader& in, Extent extent) {
   return field;
 }
 
-Terrain read_terrain(Reader& in, const Config& config) {
+Terrain read_terrain(CheckpointReader& in, const Config& config) {
   MassLedger ledger;
   ledger.start = in.number<std::int64_t>();
   ledger.in = in.number<std::int64_t>();
@@ -248,7 +248,7 @@ Terrain read_terrain(Reader& in, const Config& config) {
   return terrain;
 }
 
-void check_mass(const Reader& in, const Terrain& terrain) {
+void check_mass(const CheckpointReader& in, const Terrain& terrain) {
   for (const std::int32_t slabs : terrain.mobile().cells()) {
     if (slabs < 0) in.refuse_damaged("a cell holds less than nothing");
   }
@@ -271,7 +271,7 @@ void write_checkpoint(const std::filesystem::path& path, const Config& config, c
 }
 
 Saved read_checkpoint(const std::filesystem::path& path) {
-  Reader in(path);
+  CheckpointReader in(path);
   in.check_whole();
   Saved saved{parse_config(in.text(), path.string() + " (its config)"), {}};
   saved.state.step = in.number<std::int64_t>();

@@ -61,18 +61,32 @@ std::string to_config_folder(const std::string& image, const fs::path& config_pa
   return (fs::path(image).is_relative() || below ? relative : absolute_image).generic_string();
 }
 
+/// Replaces every path among the values by `change` of it.
+template <typename Change>
+void for_paths(ParameterValues& values, const Change& change) {
+  for (const Parameter& parameter : values.declared()) {
+    if (parameter.kind == ParameterKind::path) values.set(parameter.key, change(values.text(parameter.key)));
+  }
+}
+
+/// Brings a group's paths to the working folder; reports the picture that it wants and that is not there.
+void read_picture(ParameterValues& values, const fs::path& config_path, int line, MistakeList& mistakes) {
+  for_paths(values, [&](const std::string& picture) { return from_config_folder(picture, config_path); });
+  const Parameter* wanted = wanted_path(values);
+  if (wanted == nullptr || values.text(wanted->key).empty()) return;
+  const std::string& picture = values.text(wanted->key);
+  std::error_code error;
+  if (fs::is_regular_file(picture, error)) return;
+  mistakes.add(line, "there is no picture " + in_quotes(picture),
+               missing_file_remedy(picture, "its path is relative to the config's folder"));
+}
+
 }  // namespace
 
 Config read_config(const fs::path& path) {
   ConfigReading reading = read_config_text(text_of_file(path), path.string());
-  ParameterValues& scene = reading.config.scene;
-  scene.set("image", from_config_folder(scene.text("image"), path));
-  const std::string& image = scene.text("image");
-  std::error_code error;
-  if (scene.text("kind") == "image" && !image.empty() && !fs::is_regular_file(image, error)) {
-    reading.mistakes.add(reading.image_line, "there is no picture " + in_quotes(image),
-                         missing_file_remedy(image, "its path is relative to the config's folder"));
-  }
+  read_picture(reading.config.scene, path, reading.image_line, reading.mistakes);
+  read_picture(reading.config.parameters, path, reading.model_image_line, reading.mistakes);
   reading.mistakes.throw_if_any();
   return std::move(reading.config);
 }
@@ -85,7 +99,9 @@ Config parse_config(std::string_view text, const std::string& name) {
 
 void write_config(const fs::path& path, const Config& config) {
   Config portable = config;
-  portable.scene.set("image", to_config_folder(config.scene.text("image"), path));
+  for (ParameterValues* values : {&portable.scene, &portable.parameters}) {
+    for_paths(*values, [&](const std::string& picture) { return to_config_folder(picture, path); });
+  }
   write_file_atomically(path, config_text(portable));
 }
 

@@ -13,8 +13,24 @@
 namespace erg {
 namespace {
 
-/// A JSON value as a parameter's value; nothing for null, lists and objects.
+/// A list of pairs of numbers as a curve; nothing for any other value.
+std::optional<ParameterValue> vertices(const JsonNode& node) {
+  if (node.array() == nullptr) return std::nullopt;
+  PiecewiseLinear curve;
+  for (const JsonNode& entry : *node.array()) {
+    const JsonNode::Array* pair = entry.array();
+    if (pair == nullptr || pair->size() != 2) return std::nullopt;
+    const auto x = (*pair)[0].number();
+    const auto y = (*pair)[1].number();
+    if (!x || !y) return std::nullopt;
+    curve.vertices.push_back({*x + 0.0, *y + 0.0});  // turns -0 into 0
+  }
+  return curve;
+}
+
+/// A JSON value as a parameter's value; nothing for null, objects, and lists that are no curve.
 std::optional<ParameterValue> parameter_value(const Parameter& parameter, const JsonNode& node) {
+  if (parameter.kind == ParameterKind::curve) return vertices(node);
   if (const auto* flag = std::get_if<bool>(&node.value)) return *flag;
   if (const auto* real = std::get_if<double>(&node.value)) return *real;
   if (const std::string* text = node.text()) return *text;
@@ -30,9 +46,9 @@ std::vector<std::string> keys_of(const Parameters& declared) {
   return keys;
 }
 
-class Reader {
+class ConfigReader {
  public:
-  Reader(std::string_view text, const std::string& name)
+  ConfigReader(std::string_view text, const std::string& name)
       : tree_(read_json(text, name)), reading_{{}, MistakeList(name)} {}
 
   ConfigReading read() {
@@ -88,7 +104,8 @@ class Reader {
   void read_root(const JsonNode::Object& root) {
     read_version(root);
     const bool model_known = read_model(root);
-    check_keys(root, {"erg", "title", "description", "model", "grid", "scene", "parameters", "wind", "run"});
+    check_keys(root,
+               {"erg", "title", "description", "model", "grid", "scene", "parameters", "wind", "temperature", "run"});
     read_text(root, "title", config().title);
     read_text(root, "description", config().description);
     for (const ConfigGroup& group : config_groups()) {
@@ -97,7 +114,9 @@ class Reader {
       read_group(*node, group.key, config().*group.values);
     }
     if (const JsonNode* wind = find(root, "wind")) read_wind(*wind);
-    check_image(root);
+    if (const JsonNode* temperature = find(root, "temperature")) read_temperature(*temperature);
+    check_picture(root, "scene", config().scene, reading_.image_line);
+    check_picture(root, "parameters", config().parameters, reading_.model_image_line);
   }
 
   void read_version(const JsonNode::Object& root) {
@@ -169,18 +188,19 @@ class Reader {
     return value;
   }
 
-  void check_image(const JsonNode::Object& root) {
-    const JsonNode* scene = find(root, "scene");
-    if (scene == nullptr || scene->object() == nullptr) return;
-    const JsonNode* kind = find(*scene->object(), "kind");
-    const JsonNode* image = find(*scene->object(), "image");
-    if (image != nullptr) reading_.image_line = image->line;
-    const bool needed = kind != nullptr && config().scene.text("kind") == "image";
-    if (!needed || !whole()) return;
-    const bool empty = image != nullptr && image->text() != nullptr && image->text()->empty();
-    if (image == nullptr || empty) {
-      mistakes().add(kind->line, "kind \"image\" needs a picture", "add \"image\": \"picture.png\" beside it");
-    }
+  /// Notes where a group names its picture, and reports one that is wanted but not named.
+  void check_picture(const JsonNode::Object& root, const std::string& group, const ParameterValues& values, int& line) {
+    const JsonNode* members = find(root, group);
+    const Parameter* path = wanted_path(values);
+    if (path == nullptr || members == nullptr || members->object() == nullptr) return;
+    const JsonNode* given = find(*members->object(), path->key);
+    if (given != nullptr) line = given->line;
+    if (!whole() || (given != nullptr && (given->text() == nullptr || !given->text()->empty()))) return;
+    const std::string& choice = path->only_when.front();
+    const JsonNode* wanting = find(*members->object(), choice);
+    mistakes().add(wanting != nullptr ? wanting->line : members->line,
+                   choice + " " + in_quotes(values.text(choice)) + " needs a picture",
+                   "add \"" + path->key + "\": \"picture.png\" beside it");
   }
 
   void read_wind(const JsonNode& node) {
@@ -221,17 +241,46 @@ class Reader {
     Season season;
     const JsonNode::Object* members = object(node, "a season");
     if (members == nullptr) return season;
-    check_keys(*members, {"bearing", "strength", "first", "last", "steps", "curve"});
+    check_keys(*members, {"bearing", "strength", "first", "last", "steps", "curve", "snowfall"});
     read_bearing(*members, season);
     read_strengths(*members, season);
-    if (const JsonNode* steps = find(*members, "steps")) {
-      const Parameter parameter = season_steps_parameter();
-      ParameterValues values({parameter});
-      if (const auto value = checked(parameter, *steps)) values.set(parameter.key, *value);
-      season.steps = values.integer(parameter.key);
+    ParameterValues values({season_steps_parameter(), season_snowfall_parameter()});
+    for (const Parameter& parameter : values.declared()) {
+      const JsonNode* member = find(*members, parameter.key);
+      if (member == nullptr) continue;
+      if (const auto value = checked(parameter, *member)) values.set(parameter.key, *value);
     }
+    season.steps = values.integer("steps");
+    season.snowfall = values.real("snowfall");
     if (const JsonNode* curve = find(*members, "curve")) read_curve(*curve, season.curve);
     return season;
+  }
+
+  /// A number for a temperature that does not change, or its two ends and the curve between them.
+  void read_temperature(const JsonNode& node) {
+    Temperature& temperature = config().temperature;
+    if (node.number()) {
+      read_degrees(node, "temperature", temperature.first);
+      temperature.last = temperature.first;
+      return;
+    }
+    const JsonNode::Object* members = object(node, "temperature");
+    if (members == nullptr) return;
+    check_keys(*members, {"first", "last", "curve"});
+    const JsonNode* first = find(*members, "first");
+    const JsonNode* last = find(*members, "last");
+    if (first != nullptr) read_degrees(*first, "first", temperature.first);
+    temperature.last = temperature.first;
+    if (last != nullptr) read_degrees(*last, "last", temperature.last);
+    if (const JsonNode* curve = find(*members, "curve")) read_curve(*curve, temperature.curve);
+  }
+
+  void read_degrees(const JsonNode& node, const std::string& key, double& temperature) {
+    Parameter parameter = temperature_parameter();
+    parameter.key = key;
+    ParameterValues values({parameter});
+    if (const auto value = checked(parameter, node)) values.set(key, *value);
+    temperature = values.real(key);
   }
 
   void read_strengths(const JsonNode::Object& members, Season& season) {
@@ -325,6 +374,8 @@ void MistakeList::throw_if_any() const {
   throw InputError(std::move(mistakes));
 }
 
-ConfigReading read_config_text(std::string_view text, const std::string& name) { return Reader(text, name).read(); }
+ConfigReading read_config_text(std::string_view text, const std::string& name) {
+  return ConfigReader(text, name).read();
+}
 
 }  // namespace erg

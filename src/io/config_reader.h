@@ -32,7 +32,8 @@ class MistakeList {
 struct ConfigReading {
   Config config;
   MistakeList mistakes;
-  int image_line = 0;  ///< where scene.image stands
+  int image_line = 0;        ///< where scene.image stands
+  int model_image_line = 0;  ///< where the model's own path stands
 };
 
 ConfigReading read_config_text(std::string_view text, const std::string& name);

@@ -23,6 +23,7 @@ Json object_schema(Json properties, Json required = Json::array()) {
 std::string description(const Parameter& parameter) {
   std::string text = parameter.meaning;
   if (!parameter.unit.empty()) text += " Unit: " + parameter.unit + ".";
+  if (parameter.kind == ParameterKind::curve) text += " Vertices [x, y]; x: " + parameter.across + ".";
   if (!parameter.source.empty()) text += " Source: " + parameter.source + ".";
   return text;
 }
@@ -36,6 +37,22 @@ Json choices_schema(const Parameter& parameter) {
     if (value != Json(choice)) choices.push_back(choice);
   }
   return choices;
+}
+
+Json number_schema(double minimum, double maximum) {
+  return {{"type", "number"}, {"minimum", json_value(minimum)}, {"maximum", json_value(maximum)}};
+}
+
+/// A list of vertices [x, y].
+void add_vertices_schema(const Parameter& parameter, Json& schema) {
+  Json vertex = {{"type", "array"}, {"items", false}};
+  vertex["prefixItems"] = Json::array({number_schema(parameter.across_minimum, parameter.across_maximum),
+                                       number_schema(parameter.minimum, parameter.maximum)});
+  vertex.update({{"minItems", 2}, {"maxItems", 2}});
+  schema["type"] = "array";
+  schema["items"] = std::move(vertex);
+  schema["minItems"] = 2;
+  schema["maxItems"] = most_vertices;
 }
 
 Json parameter_schema(const Parameter& parameter) {
@@ -57,6 +74,9 @@ Json parameter_schema(const Parameter& parameter) {
       break;
     case ParameterKind::path:
       schema["type"] = "string";
+      break;
+    case ParameterKind::curve:
+      add_vertices_schema(parameter, schema);
       break;
   }
   schema["default"] = json_value(parameter, parameter.standard);
@@ -89,8 +109,8 @@ Json curve_schema() {
   const Json point = {{"type", "array"}, {"items", coordinate}, {"minItems", 2}, {"maxItems", 2}};
   Json schema = {{"title", "Curve"},
                  {"description",
-                  "The two control points of the Bezier curve along which the strength goes from first to last: time "
-                  "on x, change on y. Absent: a straight line."},
+                  "The two control points of the Bezier curve along which the value goes from first to last: time on "
+                  "x, change on y. Absent: a straight line."},
                  {"type", "array"}};
   schema.update({{"items", point}, {"minItems", 2}, {"maxItems", 2}});
   return schema;
@@ -105,6 +125,7 @@ Json season_schema() {
   properties["last"] = strength;
   properties["steps"] = parameter_schema(season_steps_parameter());
   properties["curve"] = curve_schema();
+  properties["snowfall"] = parameter_schema(season_snowfall_parameter());
   Json schema = object_schema(std::move(properties));
   const Json has_first = {{"required", {"first"}}};
   const Json has_last = {{"required", {"last"}}};
@@ -124,6 +145,18 @@ Json wind_schema() {
   Json schema;
   schema["description"] = "The wind: constant, or a list of seasons that repeats.";
   schema["anyOf"] = Json::array({object_schema(std::move(constant)), object_schema(std::move(seasons), {"seasons"})});
+  return schema;
+}
+
+Json temperature_schema() {
+  const Json degrees = parameter_schema(temperature_parameter());
+  Json properties;
+  properties["first"] = degrees;
+  properties["last"] = degrees;
+  properties["curve"] = curve_schema();
+  Json schema;
+  schema["description"] = "Temperature over the run: a number, or its first and last value and the curve between them.";
+  schema["anyOf"] = Json::array({degrees, object_schema(std::move(properties))});
   return schema;
 }
 
@@ -149,6 +182,7 @@ std::string config_schema() {
   properties["scene"] = group_schema(scene_parameters());
   properties["parameters"] = {{"description", "The model's own parameters."}, {"type", "object"}};
   properties["wind"] = wind_schema();
+  properties["temperature"] = temperature_schema();
   properties["run"] = group_schema(run_parameters());
 
   Json schema;

@@ -37,8 +37,20 @@ Json season_json(const Season& season) {
     json["last"] = json_value(season.last);
   }
   json["steps"] = season.steps;
+  if (season.snowfall != 0) json["snowfall"] = json_value(season.snowfall);
   if (season.curve != BezierCurve{}) {
     json["curve"] = Json::array({point_json(season.curve.first), point_json(season.curve.second)});
+  }
+  return json;
+}
+
+Json temperature_json(const Temperature& temperature) {
+  if (temperature.first == temperature.last && temperature.curve == BezierCurve{}) return json_value(temperature.first);
+  Json json;
+  json["first"] = json_value(temperature.first);
+  json["last"] = json_value(temperature.last);
+  if (temperature.curve != BezierCurve{}) {
+    json["curve"] = Json::array({point_json(temperature.curve.first), point_json(temperature.curve.second)});
   }
   return json;
 }
@@ -65,7 +77,10 @@ std::string config_text(const Config& config) {
   if (!config.description.empty()) json["description"] = config.description;
   json["model"] = config.model;
   for (const ConfigGroup& group : config_groups()) {
-    if (group.key == "run") json["wind"] = wind_json(config.wind);
+    if (group.key == "run") {
+      json["wind"] = wind_json(config.wind);
+      if (config.temperature != Temperature{}) json["temperature"] = temperature_json(config.temperature);
+    }
     Json values = group_json(group.key, config.*group.values);
     if (!values.empty()) json[group.key] = std::move(values);
   }

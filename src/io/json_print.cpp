@@ -53,6 +53,13 @@ Json json_value(const ParameterValue& value) {
   }
   if (const auto* text = std::get_if<std::string>(&value)) return Json(*text);
   if (const auto* flag = std::get_if<bool>(&value)) return Json(*flag);
+  if (const auto* curve = std::get_if<PiecewiseLinear>(&value)) {
+    Json vertices = Json::array();
+    for (const CurvePoint& vertex : curve->vertices) {
+      vertices.push_back(Json::array({json_value(vertex.x), json_value(vertex.y)}));
+    }
+    return vertices;
+  }
   return Json(std::get<std::int64_t>(value));
 }
 

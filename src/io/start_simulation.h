@@ -9,11 +9,11 @@
 
 namespace erg {
 
-/// The decoded picture of an *image* scene; nothing for all other kinds. Throws InputError for a missing or damaged
-/// file.
-std::optional<HeightPicture> read_scene_picture(const Config& config);
+/// The decoded picture that a group of values wants (of an *image* scene, of a model); nothing where it wants none.
+/// Throws InputError for a missing or damaged file.
+std::optional<HeightPicture> read_picture_of(const ParameterValues& values);
 
-/// The run that the config describes, at step 0, its picture read if the scene is one. Throws InputError.
+/// The run that the config describes, at step 0, with the pictures that it wants. Throws InputError.
 Simulation start_simulation(const Config& config);
 
 /// Where a file about this run, as it stands, says it comes from.

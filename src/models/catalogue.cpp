@@ -1,16 +1,18 @@
 // Every model, one line each. Adding a model: its two files and its line here.
 #include "models/bishop.h"
+#include "models/grains.h"
 #include "models/model.h"
 #include "models/momiji.h"
+#include "models/nield_baas.h"
+#include "models/snow_packing.h"
+#include "models/snow_sintering.h"
 #include "models/werner.h"
 
 namespace erg {
 
 const std::vector<ModelType>& catalogue() {
   static const std::vector<ModelType> models{
-      werner(),
-      momiji(),
-      bishop(),
+      werner(), momiji(), bishop(), nield_baas(), snow_packing(), snow_sintering(), grains(),
   };
   return models;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/grain_path.h"
 #include "core/material.h"
 #include "core/parameters.h"
 #include "core/random.h"
@@ -28,10 +29,28 @@ struct ModelInfo {
   Material material = Material::sand;  ///< what it moves
 };
 
+/// What the beginning of a run may need besides the terrain.
+struct Beginning {
+  std::uint64_t seed = 0;
+  double temperature = -10;              ///< deg C
+  const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
+};
+
+/// A number that a model tells about itself, besides what every StepReport says.
+struct Reading {
+  std::string key;    ///< name in `--stats`
+  std::string label;  ///< name for people
+  std::string unit;
+  double value = 0;
+};
+
 /// A model at work on one terrain.
 class Model {
  public:
   virtual ~Model() = default;
+
+  /// Called before `begin`, which it outlives.
+  virtual void prepare(const Beginning&) {}
 
   /// Height of one quantum in m.
   virtual double quantum() const = 0;
@@ -42,6 +61,13 @@ class Model {
   virtual StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) = 0;
   /// The fall of the wind shadow in quanta a cell, for pictures and numbers.
   virtual double shadow_fall(double cell_size) const = 0;
+
+  /// Numbers of the model's own, of the last step unless their label says otherwise.
+  virtual std::vector<Reading> readings() const { return {}; }
+  /// From the next step on keeps the ways of about `count` of its grains; a model that moves no single grains has none.
+  virtual void keep_paths(int count) { static_cast<void>(count); }
+  /// The ways kept in the last step. On a torus a way that crosses an edge goes on as another, so that no line jumps.
+  virtual std::vector<GrainPath> paths() const { return {}; }
 };
 
 /// A kind of model: what the catalogue lists.

@@ -18,7 +18,7 @@ StandingSteps standing_steps(const ParameterValues& values, double cell_size) {
 
 Parameters slab_parameters(const SlabFamily& family) {
   Parameters parameters{
-      at_start(real_parameter("slab_height", "Slab height", "m", 1.0 / 3, 0.001, 100,
+      at_start(real_parameter("slab_height", "Slab height", "m", family.slab_height, 0.001, 100,
                               "Height of one slab: the smallest amount of sand that moves.", "Werner 1995")),
       real_parameter("repose_angle", "Angle of repose", "deg", family.repose_angle, 1, 80,
                      "Slopes steeper than this slide. Slabs are coarse: the step in slabs that it means is "
@@ -38,7 +38,7 @@ Parameters slab_parameters(const SlabFamily& family) {
                                         "Further growth with the square of the height above the reference.",
                                         "Momiji et al. 2000; Cimbura 2022, table 6.2"));
   }
-  parameters.push_back(choice_parameter("polling", "Polling", "repeated", {"repeated", "nonrepeated"},
+  parameters.push_back(choice_parameter("polling", "Polling", family.polling, {"repeated", "nonrepeated"},
                                         "repeated: cells are polled at random, some twice and some never; nonrepeated: "
                                         "each exactly once a step, which forms dunes faster and sharper.",
                                         "Nield & Baas 2008"));

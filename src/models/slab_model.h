@@ -10,7 +10,9 @@ struct SlabFamily {
   double repose_angle = 30;     ///< default, degrees
   bool erode_in_shadow = true;  ///< Werner lifts sand in the lee, the others do not
   bool hop_grows_with_height = false;
-  double deviation_weight = 0;  ///< of HopLaw
+  double deviation_weight = 0;       ///< of HopLaw
+  double slab_height = 1.0 / 3;      ///< default, m
+  const char* polling = "repeated";  ///< default
 };
 
 /// The declarations that every model of the family has; with `linear` and `quadratic` where the hop grows with height.
@@ -31,6 +33,9 @@ class SlabModel : public Model {
 
   /// The law on this terrain's grid.
   SlabLaw law(const Terrain& terrain) const;
+
+ protected:
+  const ParameterValues& values() const { return values_; }
 
  private:
   SlabFamily family_;

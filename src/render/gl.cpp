@@ -40,6 +40,14 @@ extern "C" AnyFunction glXGetProcAddressARB(const GLubyte* name) {
 
 const Gl11& gl11() { return functions; }
 
+void start_plain_drawing() {
+  functions.Disable(GL_DEPTH_TEST);
+  functions.Disable(GL_BLEND);
+  functions.Disable(GL_CULL_FACE);
+  functions.Disable(GL_SCISSOR_TEST);
+  functions.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
 void load_gl(GlLoader loader) {
   current_loader = loader;
 #define ERG_GL11_LOAD(name) functions.name = reinterpret_cast<decltype(functions.name)>(find_function("gl" #name));

@@ -26,6 +26,9 @@ struct Gl11 {
 /// The functions of the context whose functions were loaded last.
 const Gl11& gl11();
 
+/// The state from which every drawing starts: filled triangles, no depth, no blending, no scissors.
+void start_plain_drawing();
+
 /// Finds a function of the current context by its name; null when there is none.
 using GlLoader = void (*(*)(const char* name))();
 

@@ -61,6 +61,10 @@ RgbaImage shrink(const std::vector<std::uint8_t>& drawn, const PictureSize& size
   for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y) {
     const std::uint8_t* const row = drawn.data() + (static_cast<std::size_t>(size.height) - 1 - y) * side * row_bytes;
     std::uint8_t* const to = image.pixels.data() + 4 * y * width;
+    if (side == 1) {
+      std::copy_n(row, row_bytes, to);
+      continue;
+    }
     for (std::size_t x = 0; x < width; ++x) mean_pixel(row + 4 * x * side, row_bytes, size.supersample, to + 4 * x);
   }
   return image;
@@ -106,11 +110,31 @@ bool is_empty(const TerrainView& view) { return view.terrain == nullptr || view.
 struct Renderer::Work {
   explicit Work(const std::filesystem::path& shaders) : maps(shaders), painter(shaders) {}
 
+  void paint(PaintRequest request, unsigned frame_buffer);
+
   LandMaps maps;
   ScenePainter painter;
   PictureTarget target;
+  PictureTarget coarse;  // for fewer pixels than the picture has
   RenderEffort effort;
 };
+
+void Renderer::Work::paint(PaintRequest request, unsigned frame_buffer) {
+  const int width = request.width, height = request.height;
+  if (effort.coarseness > 1) {
+    request.width = std::max(1, width / effort.coarseness);
+    request.height = std::max(1, height / effort.coarseness);
+    coarse.prepare(request.width, request.height);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, effort.coarseness > 1 ? coarse.frame() : frame_buffer);
+  gl11().Viewport(0, 0, request.width, request.height);
+  painter.paint(request);
+  if (effort.coarseness == 1) return;
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_buffer);
+  glBlitFramebuffer(0, 0, request.width, request.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_buffer);
+  gl11().Viewport(0, 0, width, height);
+}
 
 RgbImage Picture::opaque() const { return over(image, {1, 1, 1}); }
 
@@ -159,7 +183,7 @@ Picture Renderer::draw(const TerrainView& view, const Look& look, const Camera& 
 std::vector<std::string> Renderer::draw_into(unsigned frame_buffer, const TerrainView& view, const Look& look,
                                              const Camera& camera, int width, int height) {
   std::vector<std::string> notes;
-  work_->maps.update(view, look, {work_->effort.largest_side, work_->effort.largest_map}, notes);
+  work_->maps.update({view, look, work_->effort, camera, height}, notes);
   Camera above = camera;
   const LandBox land = work_->maps.land();
   const double keep = std::min(clearance * std::min(land.east, land.north), 2 * work_->maps.cell_side());
@@ -170,9 +194,7 @@ std::vector<std::string> Renderer::draw_into(unsigned frame_buffer, const Terrai
     keep_above(
         above, [this](double east, double north) { return ground_height(east, north); }, keep);
   }
-  glBindFramebuffer(GL_FRAMEBUFFER, frame_buffer);
-  gl11().Viewport(0, 0, width, height);
-  work_->painter.paint({view, look, above, work_->maps, work_->effort, width, height});
+  work_->paint({view, look, above, work_->maps, work_->effort, width, height}, frame_buffer);
   return notes;
 }
 
@@ -193,5 +215,7 @@ std::optional<Eigen::Vector3d> Renderer::land_under(const Camera& camera, Pictur
 double Renderer::ground_height(double east, double north) const { return work_->maps.height_at(east, north); }
 
 std::int64_t Renderer::uploaded_texels() const { return work_->maps.uploaded_texels(); }
+
+std::int64_t Renderer::computed_texels() const { return work_->maps.computed_texels(); }
 
 }  // namespace erg

@@ -10,6 +10,7 @@
 
 #include "core/image.h"
 #include "render/camera.h"
+#include "render/effort.h"
 #include "render/look.h"
 #include "render/shader_program.h"
 #include "render/terrain_view.h"
@@ -20,22 +21,6 @@ struct PictureSize {
   int width = 1920;     ///< pixels
   int height = 1080;    ///< pixels
   int supersample = 2;  ///< drawn so many times larger each way, then averaged in linear light
-};
-
-/// What limits the work, by what draws and for whom.
-struct RenderEffort {
-  int largest_side = 4096;  ///< cells a side that are drawn; larger grids are drawn in means of blocks of cells
-  int largest_map = 4096;   ///< texels a side of the smooth surface, which has two for the side of a cell where they fit
-  double step_pixels = 2;   ///< length of the land's triangles in the picture
-  int finest = 256;         ///< most steps for 64 cells
-  bool grains = true;       ///< grains, ripples and stones
-
-  /// A still picture, with all there is.
-  static RenderEffort still() { return {}; }
-  /// A picture at once while a person moves: on a graphics card, or on the processor.
-  static RenderEffort moving(bool software) {
-    return software ? RenderEffort{256, 256, 8, 64, false} : RenderEffort{4096, 4096, 3, 128, true};
-  }
 };
 
 /// A picture with what belongs to it.
@@ -78,6 +63,8 @@ class Renderer {
 
   /// Texels uploaded since the beginning.
   std::int64_t uploaded_texels() const;
+  /// Texels of the smooth surface computed since the beginning.
+  std::int64_t computed_texels() const;
 
  private:
   struct Work;

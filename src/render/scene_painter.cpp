@@ -49,15 +49,46 @@ int value_source(const Look& look) {
   return look.is_material() || look.show == "elevation" ? 0 : look.show == "slope" ? 1 : 2;
 }
 
+// Sets what the land's program wants to know of the look.
+void hand_over_look(const PaintRequest& request, const ShaderProgram& program) {
+  const Look& look = request.look;
+  const double toward = radians(request.view.wind.value_or(0) + 180);
+  const bool windy = request.view.wind.has_value();
+  program.set("wind", windy ? static_cast<float>(std::sin(toward)) : 0.0f,
+              windy ? static_cast<float>(std::cos(toward)) : 0.0f);
+  program.set("grain", look.grain);
+  program.set("shading", static_cast<int>(look.shading));
+  program.set("source", value_source(look));
+  program.set("bedrock_low", request.maps.bedrock_low() * look.exaggeration);
+  const ValueScale& scale = request.maps.scale();
+  program.set("range", static_cast<float>(scale.low), static_cast<float>(scale.high));
+  std::vector<float> colours;
+  for (const Colour& colour : scale.palette.points)
+    colours.insert(colours.end(), {colour.red, colour.green, colour.blue});
+  program.set_colours("palette", colours.data(), static_cast<int>(scale.palette.points.size()));
+  program.set("palette_size", static_cast<int>(scale.palette.points.size()));
+  program.set("contour_step", look.contours);
+}
+
+// Calls use(east, north) with the shift (m) of each copy of the land.
+template <typename Use>
+void for_copies(int rings, const LandBox& land, const Use& use) {
+  for (int row = -rings; row <= rings; ++row) {
+    for (int column = -rings; column <= rings; ++column) use(column * land.east, row * land.north);
+  }
+}
+
 }  // namespace
 
 ScenePainter::ScenePainter(const std::filesystem::path& shaders)
     : sky_program_(shaders, "pass.vert", "sky.frag"),
-      land_program_(shaders, "terrain.vert", "terrain.frag"),
+      backdrop_program_(shaders, "pass.vert", "sky.frag", {"BACKDROP"}),
+      shaders_(shaders),
       wall_program_(shaders, "wall.vert", "wall.frag"),
       tuft_program_(shaders, "tuft.vert", "tuft.frag"),
       line_program_(shaders, "line.vert", "line.frag"),
       no_vertices_(GlObject::vertex_array()),
+      tuft_vertices_(GlObject::vertex_array()),
       line_vertices_(GlObject::vertex_array()),
       line_buffer_(GlObject::buffer()) {}
 
@@ -85,32 +116,22 @@ ScenePainter::Air ScenePainter::make_air(const PaintRequest& request) {
 
 void ScenePainter::paint(const PaintRequest& request) {
   const Air air = make_air(request);
-  mesh_.plan(
-      {.cells = request.maps.cells(),
-       .land = request.maps.land(),
-       .camera = request.camera,
-       .view_projection = air.exact,
-       .picture_height = request.height,
-       .step_pixels = request.look.wireframe ? std::max(8.0, request.effort.step_pixels) : request.effort.step_pixels,
-       .finest = request.look.raw_cells || request.look.wireframe ? TerrainMesh::tile_cells : request.effort.finest,
-       .copies = copies_of(request)});
-  gl11().Disable(GL_BLEND);
-  gl11().Disable(GL_CULL_FACE);
-  gl11().Disable(GL_SCISSOR_TEST);
+  start_plain_drawing();
   gl11().DepthMask(GL_TRUE);
   gl11().ClearColor(0, 0, 0, 0);
   gl11().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  if (!request.look.transparent) paint_background(request, air);
   gl11().Enable(GL_DEPTH_TEST);
   gl11().DepthFunc(GL_LEQUAL);
   paint_land(request, air);
   if (copies_of(request) == 0) paint_walls(request, air);
-  if (request.look.is_material() && request.look.tufts && request.maps.has_plants()) paint_tufts(request, air);
+  if (request.look.is_material() && request.look.tufts) paint_tufts(request, air);
   if (!request.view.paths.empty()) paint_paths(request, air);
+  if (!request.look.transparent) paint_background(request, air);
   gl11().Disable(GL_DEPTH_TEST);
   glUseProgram(0);
 }
 
+// Only what is still free: it lies behind everything.
 void ScenePainter::paint_background(const PaintRequest& request, const Air& air) const {
   const double half = std::tan(radians(0.5 * request.camera.opening));
   const double aspect = static_cast<double>(request.width) / request.height;
@@ -118,92 +139,155 @@ void ScenePainter::paint_background(const PaintRequest& request, const Air& air)
   const Eigen::Vector3f right = (half * aspect * axes.row(0).transpose()).cast<float>();
   const Eigen::Vector3f up = (half * axes.row(1).transpose()).cast<float>();
   const Eigen::Vector3f ahead = (-axes.row(2).transpose()).cast<float>();
-  sky_program_.use();
-  air.hand_to(sky_program_);
-  sky_program_.set("picture", static_cast<float>(request.width), static_cast<float>(request.height));
-  sky_program_.set("right", right.x(), right.y(), right.z());
-  sky_program_.set("up", up.x(), up.y(), up.z());
-  sky_program_.set("ahead", ahead.x(), ahead.y(), ahead.z());
-  sky_program_.set("backdrop", static_cast<int>(air.backdrop));
+  const ShaderProgram& program = air.backdrop ? backdrop_program_ : sky_program_;
+  program.use();
+  air.hand_to(program);
+  program.set("picture", static_cast<float>(request.width), static_cast<float>(request.height));
+  program.set("right", right.x(), right.y(), right.z());
+  program.set("up", up.x(), up.y(), up.z());
+  program.set("ahead", ahead.x(), ahead.y(), ahead.z());
   if (air.snowy) {
-    sky_program_.set("plain", 0.75f, 0.79f, 0.86f);
+    program.set("plain", 0.75f, 0.79f, 0.86f);
   } else {
-    sky_program_.set("plain", 0.58f, 0.39f, 0.21f);
+    program.set("plain", 0.58f, 0.39f, 0.21f);
   }
-  sky_program_.set("plain_height", request.maps.land().low);
-  gl11().Disable(GL_DEPTH_TEST);
+  program.set("plain_height", request.maps.land().low);
   glBindVertexArray(no_vertices_.id());
   gl11().DrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+}
+
+const ShaderProgram& ScenePainter::land_program(const PaintRequest& request, bool wires) {
+  const Look& look = request.look;
+  std::vector<std::string> words;
+  const auto word = [&words](bool wanted, const char* name) {
+    if (wanted) words.emplace_back(name);
+  };
+  word(wires, "WIRES");
+  word(look.raw_cells, "RAW_CELLS");
+  word(look.is_material(), "MATERIAL");
+  word(look.is_material() && request.effort.grains && look.grain > 0, "GRAINS");
+  word(look.is_material() && request.maps.has_plants(), "PLANTS");
+  word(look.contours > 0, "CONTOURS");
+  const auto found = land_programs_.find(words);
+  if (found != land_programs_.end()) return found->second;
+  return land_programs_.emplace(words, ShaderProgram(shaders_, "terrain.vert", "terrain.frag", words)).first->second;
 }
 
 void ScenePainter::paint_land(const PaintRequest& request, const Air& air) {
-  const Look& look = request.look;
-  const ShaderProgram& program = land_program_;
+  if (!request.look.wireframe) {
+    draw_sheets(request, air, land_program(request, false));
+    return;
+  }
+  gl11().Enable(GL_POLYGON_OFFSET_FILL);
+  gl11().PolygonOffset(1, 1);
+  draw_sheets(request, air, land_program(request, false));
+  gl11().Disable(GL_POLYGON_OFFSET_FILL);
+  gl11().PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  draw_sheets(request, air, land_program(request, true));
+  gl11().PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void ScenePainter::draw_sheets(const PaintRequest& request, const Air& air, const ShaderProgram& program) {
   program.use();
   air.hand_to(program);
   request.maps.bind(program);
-  const double toward = radians(request.view.wind.value_or(0) + 180);
-  const bool windy = request.view.wind.has_value();
-  program.set("wind", windy ? static_cast<float>(std::sin(toward)) : 0.0f,
-              windy ? static_cast<float>(std::cos(toward)) : 0.0f);
-  program.set("grain", request.effort.grains ? look.grain : 0.0);
-  program.set("material", static_cast<int>(look.is_material()));
-  program.set("shading", static_cast<int>(look.shading));
-  program.set("source", value_source(look));
-  program.set("has_plants", static_cast<int>(request.maps.has_plants()));
-  program.set("bedrock_low", request.maps.bedrock_low() * look.exaggeration);
-  const ValueScale& scale = request.maps.scale();
-  program.set("range", static_cast<float>(scale.low), static_cast<float>(scale.high));
-  std::vector<float> colours;
-  for (const Colour& colour : scale.palette.points)
-    colours.insert(colours.end(), {colour.red, colour.green, colour.blue});
-  program.set_colours("palette", colours.data(), static_cast<int>(scale.palette.points.size()));
-  program.set("palette_size", static_cast<int>(scale.palette.points.size()));
-  program.set("contour_step", look.contours);
-  program.set("wires", 0);
-  if (look.wireframe) {
-    gl11().Enable(GL_POLYGON_OFFSET_FILL);
-    gl11().PolygonOffset(1, 1);
+  hand_over_look(request, program);
+  const Look& look = request.look;
+  const LandBox land = request.maps.land();
+  const int rings = copies_of(request);
+  triangles_ = 0;
+  for (const auto& sheet : request.maps.sheets()) {
+    sheet->bind(program);
+    const bool whole = sheet->place().whole;
+    // A sheet among others lies a little over its neighbours, so that no gap opens between different details.
+    const int overlap = whole ? 0 : 1;
+    const Extent blocks{sheet->blocks().nx + overlap, sheet->blocks().ny + overlap};
+    program.set("grid", static_cast<float>(blocks.nx), static_cast<float>(blocks.ny));
+    // The mesh itself repeats a land of one sheet; others are repeated sheet by sheet.
+    for_copies(whole ? 0 : rings, land, [&](double east, double north) {
+      program.set("shift", static_cast<float>(east), static_cast<float>(north));
+      mesh_.plan(
+          {.cells = blocks,
+           .cell_side = sheet->cell_side(),
+           .corner = {sheet->corner()[0] + east, sheet->corner()[1] + north},
+           .low = land.low,
+           .high = land.high,
+           .camera = request.camera,
+           .view_projection = air.exact,
+           .picture_height = request.height,
+           .step_pixels = look.wireframe ? std::max(8.0, request.effort.step_pixels) : request.effort.step_pixels,
+           .finest = look.raw_cells || look.wireframe ? TerrainMesh::tile_cells : request.effort.finest,
+           .copies = whole ? rings : 0});
+      mesh_.draw(program);
+      triangles_ += mesh_.triangles();
+    });
   }
-  mesh_.draw(program);
-  gl11().Disable(GL_POLYGON_OFFSET_FILL);
-  if (!look.wireframe) return;
-  program.set("wires", 1);
-  gl11().PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  mesh_.draw(program);
-  gl11().PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
 void ScenePainter::paint_walls(const PaintRequest& request, const Air& air) const {
   const LandBox land = request.maps.land();
-  const int steps = 2 * std::max(request.maps.cells().nx, request.maps.cells().ny);
+  const Extent cells = request.maps.cells();
   wall_program_.use();
   air.hand_to(wall_program_);
   request.maps.bind(wall_program_);
-  wall_program_.set("steps", steps);
   wall_program_.set("floor_height", land.low - 0.03 * std::max(land.east, land.north));
   glBindVertexArray(no_vertices_.id());
-  gl11().DrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (4 * steps + 1));
+  for (const auto& sheet : request.maps.sheets()) {
+    sheet->bind(wall_program_);
+    const SheetPlace& place = sheet->place();
+    const double side = land.east / cells.nx;
+    const Eigen::AlignedBox2d box(
+        Eigen::Vector2d(place.left * side, place.low * side),
+        Eigen::Vector2d((place.left + place.cells.nx) * side, (place.low + place.cells.ny) * side));
+    const auto face = [&](bool outer, Eigen::AlignedBox2d::CornerType from, Eigen::AlignedBox2d::CornerType to,
+                          int blocks) {
+      if (!outer) return;
+      const int steps = std::max(1, blocks * request.effort.finest / TerrainMesh::tile_cells);  // as the mesh near by
+      const Eigen::Vector2f start = box.corner(from).cast<float>(), end = box.corner(to).cast<float>();
+      wall_program_.set("steps", steps);
+      wall_program_.set("from", start.x(), start.y());
+      wall_program_.set("to", end.x(), end.y());
+      gl11().DrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (steps + 1));
+    };
+    using Box = Eigen::AlignedBox2d;
+    const Extent blocks = sheet->blocks();
+    face(place.low == 0, Box::BottomLeft, Box::BottomRight, blocks.nx);
+    face(place.left + place.cells.nx == cells.nx, Box::BottomRight, Box::TopRight, blocks.ny);
+    face(place.low + place.cells.ny == cells.ny, Box::TopRight, Box::TopLeft, blocks.nx);
+    face(place.left == 0, Box::TopLeft, Box::BottomLeft, blocks.ny);
+  }
+  glBindVertexArray(0);
 }
 
 void ScenePainter::paint_tufts(const PaintRequest& request, const Air& air) const {
-  constexpr int most_tufts = 1 << 20;
   constexpr int blades = 5;
-  const auto cells = static_cast<int>(request.maps.cells().cells());
-  const int tufts_a_cell = std::clamp(most_tufts / std::max(1, cells), 1, 6);
+  constexpr int most_a_cell = 6;
+  int planted = 0;
+  for (const auto& sheet : request.maps.sheets()) planted += sheet->planted_count();
+  if (planted == 0) return;
+  const int tufts_a_cell = std::clamp(request.effort.most_tufts / planted, 1, most_a_cell);
+  // When even one for each cell is too much, only every so many cells have any.
+  const int thinning = (planted * tufts_a_cell + request.effort.most_tufts - 1) / request.effort.most_tufts;
   tuft_program_.use();
   air.hand_to(tuft_program_);
   request.maps.bind(tuft_program_);
   tuft_program_.set("tufts_a_cell", tufts_a_cell);
-  glBindVertexArray(no_vertices_.id());
-  const int near_copies = std::min(1, copies_of(request));
-  for (int row = -near_copies; row <= near_copies; ++row) {
-    for (int column = -near_copies; column <= near_copies; ++column) {
-      tuft_program_.set("shift", static_cast<float>(column * request.maps.land().east),
-                        static_cast<float>(row * request.maps.land().north));
+  glBindVertexArray(tuft_vertices_.id());
+  glEnableVertexAttribArray(0);
+  for (const auto& sheet : request.maps.sheets()) {
+    const int cells = sheet->planted_count() / thinning;
+    if (cells == 0) continue;
+    sheet->bind(tuft_program_);
+    glBindBuffer(GL_ARRAY_BUFFER, sheet->planted());
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, thinning * 2 * static_cast<GLsizei>(sizeof(float)), nullptr);
+    glVertexAttribDivisor(0, static_cast<GLuint>(tufts_a_cell));
+    for_copies(std::min(1, copies_of(request)), request.maps.land(), [&](double east, double north) {
+      tuft_program_.set("shift", static_cast<float>(east), static_cast<float>(north));
       glDrawArraysInstanced(GL_TRIANGLES, 0, 3 * blades, cells * tufts_a_cell);
-    }
+    });
   }
+  glBindVertexArray(0);
 }
 
 void ScenePainter::paint_paths(const PaintRequest& request, const Air& air) {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "render/land_maps.h"
 #include "render/renderer.h"
@@ -26,24 +29,30 @@ class ScenePainter {
   /// Paints into the bound frame buffer.
   void paint(const PaintRequest& request);
   /// Triangles of the land in the last painting.
-  std::int64_t triangles() const { return mesh_.triangles(); }
+  std::int64_t triangles() const { return triangles_; }
 
  private:
   struct Air;
   static Air make_air(const PaintRequest& request);
   void paint_background(const PaintRequest& request, const Air& air) const;
   void paint_land(const PaintRequest& request, const Air& air);
+  const ShaderProgram& land_program(const PaintRequest& request, bool wires);
+  void draw_sheets(const PaintRequest& request, const Air& air, const ShaderProgram& program);
   void paint_walls(const PaintRequest& request, const Air& air) const;
   void paint_tufts(const PaintRequest& request, const Air& air) const;
   void paint_paths(const PaintRequest& request, const Air& air);
 
   ShaderProgram sky_program_;
-  ShaderProgram land_program_;
+  ShaderProgram backdrop_program_;
+  std::filesystem::path shaders_;
+  std::map<std::vector<std::string>, ShaderProgram> land_programs_;  // by the words that they are made with
   ShaderProgram wall_program_;
   ShaderProgram tuft_program_;
   ShaderProgram line_program_;
   TerrainMesh mesh_;
+  std::int64_t triangles_ = 0;
   GlObject no_vertices_;
+  GlObject tuft_vertices_;
   GlObject line_vertices_;
   GlObject line_buffer_;
 };

@@ -64,9 +64,19 @@ Mistake as_mistake(const std::string& line, const Source& source, const fs::path
   throw InputError(std::move(mistakes));
 }
 
-GLuint compile(GLenum type, const fs::path& path) {
+// Defines words right after the line `#version`, which has to be the first.
+void define(Source& source, const std::vector<std::string>& words) {
+  const std::size_t second = source.text.find('\n') + 1;
+  std::string text;
+  for (const std::string& word : words) text += "#define " + word + "\n";
+  source.text.insert(second, text);
+  source.lines.insert(source.lines.begin() + 1, words.size(), source.lines.front());
+}
+
+GLuint compile(GLenum type, const fs::path& path, const std::vector<std::string>& words) {
   Source source;
   append_file(source, path, path.string());
+  if (!words.empty()) define(source, words);
   const GLuint shader = glCreateShader(type);
   const char* const text = source.text.c_str();
   glShaderSource(shader, 1, &text, nullptr);
@@ -96,11 +106,12 @@ fs::path shader_folder() {
                    "install the program with `cmake --install`");
 }
 
-ShaderProgram::ShaderProgram(const fs::path& folder, const std::string& vertex, const std::string& fragment) {
-  const GLuint first = compile(GL_VERTEX_SHADER, folder / vertex);
+ShaderProgram::ShaderProgram(const fs::path& folder, const std::string& vertex, const std::string& fragment,
+                             const std::vector<std::string>& words) {
+  const GLuint first = compile(GL_VERTEX_SHADER, folder / vertex, words);
   GLuint second = 0;
   try {
-    second = compile(GL_FRAGMENT_SHADER, folder / fragment);
+    second = compile(GL_FRAGMENT_SHADER, folder / fragment, words);
   } catch (...) {
     glDeleteShader(first);
     throw;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "render/gl.h"
 
@@ -18,8 +19,9 @@ class ShaderProgram {
  public:
   ShaderProgram() = default;
   /// Compiles `folder/vertex` and `folder/fragment`. A line `#include "name"` takes in another file of the folder.
-  /// Throws InputError with file, line and the driver's message.
-  ShaderProgram(const std::filesystem::path& folder, const std::string& vertex, const std::string& fragment);
+  /// The words are defined in both, for their `#ifdef`. Throws InputError with file, line and the driver's message.
+  ShaderProgram(const std::filesystem::path& folder, const std::string& vertex, const std::string& fragment,
+                const std::vector<std::string>& words = {});
   ~ShaderProgram();
   ShaderProgram(ShaderProgram&& other) noexcept;
   ShaderProgram& operator=(ShaderProgram&& other) noexcept;

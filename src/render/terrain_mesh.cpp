@@ -34,11 +34,11 @@ struct Lattice {
 
 // The box around a tile, m.
 Eigen::AlignedBox3d tile_box(const MeshRequest& request, const std::array<float, 2>& origin) {
-  const double wide = request.land.east / request.cells.nx;
-  const double high = request.land.north / request.cells.ny;
-  const Eigen::Vector3d low(origin[0] * wide, origin[1] * high, request.land.low);
-  return {low, Eigen::Vector3d(low.x() + TerrainMesh::tile_cells * wide, low.y() + TerrainMesh::tile_cells * high,
-                               request.land.high)};
+  const double side = request.cell_side;
+  const Eigen::Vector2d low = request.corner + side * Eigen::Vector2d(origin[0], origin[1]);
+  const double tile = TerrainMesh::tile_cells * side;
+  return {Eigen::Vector3d(low.x(), low.y(), request.low),
+          Eigen::Vector3d(low.x() + tile, low.y() + tile, request.high)};
 }
 
 // Out of sight when all corners lie beyond the same side of the picture.

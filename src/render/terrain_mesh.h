@@ -17,14 +17,17 @@ namespace erg {
 
 /// What decides how finely each tile is drawn.
 struct MeshRequest {
-  Extent cells;  ///< of the land
-  LandBox land;  ///< m
+  Extent cells;                     ///< of the sheet, without its apron
+  double cell_side = 1;             ///< m
+  Eigen::Vector2d corner = {0, 0};  ///< m: of its south-west, in the copy of the land that is drawn
+  double low = 0;                   ///< m: of the land
+  double high = 1;                  ///< m: of the land
   Camera camera;
   Eigen::Matrix4d view_projection;
   int picture_height = 1;  ///< pixels
   double step_pixels = 2;  ///< wanted length of a step in the picture
   int finest = 256;        ///< most steps for the side of a tile, at most 256
-  int copies = 0;          ///< rings of copies around the land
+  int copies = 0;          ///< rings of copies around the sheet, when it is the whole land
 };
 
 class TerrainMesh {

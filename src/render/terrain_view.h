@@ -1,18 +1,15 @@
 // What a picture shows: a terrain and what lies over it. The renderer knows nothing else of a run.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/grain_path.h"
 #include "core/terrain.h"
 
 namespace erg {
-
-/// The way of a grain, as points (m east, m north, m up) to be joined by lines.
-using GrainPath = std::vector<std::array<float, 3>>;
 
 /// What the mobile layer is.
 enum class Cover { sand, snow };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "core/errors.h"
 
@@ -18,11 +19,29 @@ void set_sampling(GLint filter, bool periodic) {
 
 GLenum channels_of(int count) { return count == 1 ? GL_RED : GL_RG; }
 
+// A stretch of a line of `count` places, in one or two parts inside of it: first place and length.
+std::vector<std::pair<int, int>> stretches(int first, int length, int count, bool periodic) {
+  if (!periodic) {
+    const int from = std::max(first, 0);
+    const int end = std::min(first + length, count);
+    return from < end ? std::vector<std::pair<int, int>>{{from, end - from}} : std::vector<std::pair<int, int>>{};
+  }
+  if (length >= count) return {{0, count}};
+  const int from = wrap(first, count);
+  if (from + length <= count) return {{from, length}};
+  return {{from, count - from}, {0, from + length - count}};
+}
+
 }  // namespace
 
-void TiledTexture::clear() {
-  extent_ = {};
-  held_.clear();
+std::vector<TexelRect> inside_of(const TexelRect& rect, Extent extent, bool periodic) {
+  std::vector<TexelRect> parts;
+  for (const auto& [low, high] : stretches(rect.low, rect.high, extent.ny, periodic)) {
+    for (const auto& [left, wide] : stretches(rect.left, rect.wide, extent.nx, periodic)) {
+      parts.push_back({left, low, wide, high});
+    }
+  }
+  return parts;
 }
 
 void TiledTexture::allocate(Extent extent, bool periodic) {
@@ -36,40 +55,51 @@ void TiledTexture::allocate(Extent extent, bool periodic) {
   held_.clear();
 }
 
-bool TiledTexture::update(Extent extent, bool periodic, std::span<const float> values) {
+std::vector<TexelRect> TiledTexture::update(Extent extent, bool periodic, std::span<const float> values) {
   glActiveTexture(GL_TEXTURE0);
   if (extent != extent_ || periodic != periodic_ || !texture_) allocate(extent, periodic);
   gl11().BindTexture(GL_TEXTURE_2D, texture_.id());
-  bool changed = false;
+  const bool fresh = held_.empty();
+  held_.resize(values.size());
+  std::vector<TexelRect> changed;
   for (int low = 0; low < extent.ny; low += tile_side) {
     for (int left = 0; left < extent.nx; left += tile_side) {
-      const int wide = std::min(tile_side, extent.nx - left);
-      const int high = std::min(tile_side, extent.ny - low);
-      if (!held_.empty() && !tile_changed(left, low, wide, high, values)) continue;
-      upload(left, low, wide, high, values);
-      changed = true;
+      const TexelRect tile{left, low, std::min(tile_side, extent.nx - left), std::min(tile_side, extent.ny - low)};
+      if (!fresh && !tile_changed(tile, values)) continue;
+      take(tile, values);
+      const bool goes_on =
+          !changed.empty() && changed.back().low == low && changed.back().left + changed.back().wide == left;
+      if (goes_on) {
+        changed.back().wide += tile.wide;
+      } else {
+        changed.push_back(tile);
+      }
     }
   }
-  if (changed) held_.assign(values.begin(), values.end());
   return changed;
 }
 
-bool TiledTexture::tile_changed(int left, int low, int wide, int high, std::span<const float> values) const {
-  for (int row = 0; row < high; ++row) {
-    const std::size_t start = offset(left, low + row);
-    const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(channels_) * static_cast<std::size_t>(wide);
+bool TiledTexture::tile_changed(const TexelRect& tile, std::span<const float> values) const {
+  for (int row = 0; row < tile.high; ++row) {
+    const std::size_t start = offset(tile.left, tile.low + row);
+    const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(channels_) * static_cast<std::size_t>(tile.wide);
     if (std::memcmp(held_.data() + start, values.data() + start, bytes) != 0) return true;
   }
   return false;
 }
 
-void TiledTexture::upload(int left, int low, int wide, int high, std::span<const float> values) {
+void TiledTexture::take(const TexelRect& tile, std::span<const float> values) {
+  for (int row = 0; row < tile.high; ++row) {
+    const std::size_t start = offset(tile.left, tile.low + row);
+    const std::size_t count = static_cast<std::size_t>(channels_) * static_cast<std::size_t>(tile.wide);
+    std::copy_n(values.data() + start, count, held_.data() + start);
+  }
   gl11().PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl11().PixelStorei(GL_UNPACK_ROW_LENGTH, extent_.nx);
-  gl11().TexSubImage2D(GL_TEXTURE_2D, 0, left, low, wide, high, channels_of(channels_), GL_FLOAT,
-                       values.data() + offset(left, low));
+  gl11().TexSubImage2D(GL_TEXTURE_2D, 0, tile.left, tile.low, tile.wide, tile.high, channels_of(channels_), GL_FLOAT,
+                       values.data() + offset(tile.left, tile.low));
   gl11().PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  uploaded_texels_ += static_cast<std::int64_t>(wide) * high;
+  uploaded_texels_ += static_cast<std::int64_t>(tile.wide) * tile.high;
 }
 
 bool MapTarget::prepare(Extent size, GLint format, bool periodic) {

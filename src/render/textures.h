@@ -10,6 +10,20 @@
 
 namespace erg {
 
+/// A part of a texture or grid.
+struct TexelRect {
+  int left = 0;
+  int low = 0;
+  int wide = 0;
+  int high = 0;
+
+  bool operator==(const TexelRect&) const = default;
+};
+
+/// The parts of a grid that a rectangle covers. On a torus what reaches over an edge comes in again on the other side;
+/// otherwise it is cut off.
+std::vector<TexelRect> inside_of(const TexelRect& rect, Extent extent, bool periodic);
+
 /// A float texture of one or two channels, one texel a cell. An update uploads only tiles in which something changed.
 class TiledTexture {
  public:
@@ -17,20 +31,20 @@ class TiledTexture {
 
   explicit TiledTexture(int channels) : channels_(channels) {}
 
-  /// Brings the texture to these values (row by row from the south, channels interleaved). True when any changed.
-  bool update(Extent extent, bool periodic, std::span<const float> values);
-  /// Forgets what it holds.
-  void clear();
-
+  /// Brings the texture to these values (row by row from the south, channels interleaved). Returns the tiles that
+  /// changed, neighbours in a row as one.
+  std::vector<TexelRect> update(Extent extent, bool periodic, std::span<const float> values);
   GLuint id() const { return texture_.id(); }
   Extent extent() const { return extent_; }
+  /// The first channel of a texel.
+  float value(int x, int y) const { return held_[offset(x, y)]; }
   /// Texels uploaded since the beginning.
   std::int64_t uploaded_texels() const { return uploaded_texels_; }
 
  private:
   void allocate(Extent extent, bool periodic);
-  bool tile_changed(int left, int low, int wide, int high, std::span<const float> values) const;
-  void upload(int left, int low, int wide, int high, std::span<const float> values);
+  bool tile_changed(const TexelRect& tile, std::span<const float> values) const;
+  void take(const TexelRect& tile, std::span<const float> values);
   std::size_t offset(int x, int y) const {
     return static_cast<std::size_t>(channels_) *
            (static_cast<std::size_t>(y) * static_cast<std::size_t>(extent_.nx) + static_cast<std::size_t>(x));

@@ -40,6 +40,7 @@ class Assignment {
     if (key_ == "model") return set_model();
     if (key_ == "title") return void(config_.title = value_);
     if (key_ == "description") return void(config_.description = value_);
+    if (key_ == "temperature") return void(config_.temperature.first = config_.temperature.last = temperature());
     const std::vector<std::string> matches = full_keys_matching();
     if (matches.empty()) throw InputError(place_, "unknown key " + in_quotes(key_), suggestion(key_, possible_keys()));
     if (matches.size() > 1) {
@@ -57,7 +58,7 @@ class Assignment {
 
   /// "grid.nx" ... of every value that can be set in a group.
   std::vector<std::string> full_keys() const {
-    std::vector<std::string> keys{"wind.bearing", "wind.strength"};
+    std::vector<std::string> keys{"wind.bearing", "wind.strength", "temperature.first", "temperature.last"};
     for (const ConfigGroup& group : config_groups()) {
       for (const Parameter& parameter : (config_.*group.values).declared()) {
         keys.push_back(group.key + "." + parameter.key);
@@ -80,7 +81,7 @@ class Assignment {
     std::vector<std::string> keys = full_keys();
     if (key_.find('.') != std::string::npos) return keys;
     for (std::string& key : keys) key.erase(0, key.find('.') + 1);
-    keys.insert(keys.end(), {"model", "title", "description"});
+    keys.insert(keys.end(), {"model", "title", "description", "temperature"});
     return keys;
   }
 
@@ -95,6 +96,9 @@ class Assignment {
   void set(const std::string& full_key) {
     const std::string key = full_key.substr(full_key.find('.') + 1);
     if (full_key.starts_with("wind.")) return set_wind(key);
+    if (full_key.starts_with("temperature.")) {
+      return void((key == "first" ? config_.temperature.first : config_.temperature.last) = temperature());
+    }
     for (const ConfigGroup& group : config_groups()) {
       ParameterValues& values = config_.*group.values;
       if (full_key == group.key + "." + key) values.set(key, parse_value(*values.find(key), value_, place_));
@@ -114,6 +118,8 @@ class Assignment {
     }
   }
 
+  double temperature() const { return std::get<double>(parse_value(temperature_parameter(), value_, place_)); }
+
   Config& config_;
   std::string place_;
   std::string key_;
@@ -129,6 +135,16 @@ Parameter strength_parameter() {
 
 Parameter season_steps_parameter() {
   return integer_parameter("steps", "Steps", "", Season{}.steps, 1, most_steps, "Time steps that the season lasts.");
+}
+
+Parameter season_snowfall_parameter() {
+  return real_parameter("snowfall", "Snowfall", "mm/h", Season{}.snowfall, 0, heaviest_snowfall,
+                        "Snow that falls during the season, as it lies; for snow models that let it fall.");
+}
+
+Parameter temperature_parameter() {
+  return real_parameter("temperature", "Temperature", "deg C", Temperature{}.first, lowest_temperature,
+                        highest_temperature, "Temperature of air and snow; for snow models.");
 }
 
 Parameters grid_parameters() {
@@ -183,16 +199,17 @@ Parameters run_parameters() {
       integer_parameter("steps", "Steps", "", 1000, 0, most_steps, "Time steps to run."),
       at_start(
           integer_parameter("seed", "Seed", "", 0, 0, largest_seed, "The same seed gives the same dunes everywhere.")),
-      choice_parameter("executor", "Executor", "auto", executor_names(),
-                       "serial: one slab at a time, the reference; cpu: parallel sub-sweeps; auto: the fastest that "
-                       "works."),
+      choice_parameter(
+          "executor", "Executor", "auto", executor_names(),
+          "serial: one slab at a time, the reference; cpu: parallel sub-sweeps; cuda: the same on a graphics "
+          "card, with the same bits; auto: the fastest that works."),
       only_when(integer_parameter("threads", "Threads", "", 0, 0, 256,
                                   "Threads to use; 0: one for each processor. Results do not depend on it."),
-                {"executor", "auto", "cpu"}),
+                {"executor", "auto", "cpu", "cuda"}),
       only_when(choice_parameter("sweeps", "Sub-sweeps", "16", {"2", "4", "8", "16", "32", "64"},
                                  "Sub-sweeps that a time step is split into: more are slower and closer to one slab "
                                  "at a time."),
-                {"executor", "auto", "cpu"}),
+                {"executor", "auto", "cpu", "cuda"}),
   };
 }
 

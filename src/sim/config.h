@@ -7,6 +7,7 @@
 #include "core/parameters.h"
 #include "core/terrain.h"
 #include "wind/regime.h"
+#include "wind/temperature.h"
 
 namespace erg {
 
@@ -21,6 +22,9 @@ Parameters run_parameters();    ///< "run": steps, seed, executor, threads, swee
 /// Declarations of what a season of the wind holds besides its bearing and curve.
 Parameter strength_parameter();
 Parameter season_steps_parameter();
+Parameter season_snowfall_parameter();
+/// Declaration of a temperature at either end of a run.
+Parameter temperature_parameter();
 
 /// One run, whole.
 struct Config {
@@ -37,6 +41,7 @@ struct Config {
   ParameterValues run;
   ParameterValues parameters;  ///< the model's own
   Regime wind;
+  Temperature temperature;  ///< for snow models
 
   bool operator==(const Config&) const = default;
 };
@@ -56,7 +61,8 @@ void change_model(Config& config, const std::string& model_key);
 std::vector<std::string> model_keys();
 
 /// Sets one value from text, as `--set` does: "group.key=value" or "key=value" where the key is found in one group
-/// only; "model=...", "wind.bearing=...", "wind.strength=..." too. Throws InputError.
+/// only; "model=...", "wind.bearing=...", "wind.strength=...", "temperature.first=...",
+/// "temperature.last=..." and "temperature=..." (both) too. Throws InputError.
 void set_from_text(Config& config, const std::string& assignment);
 
 }  // namespace erg

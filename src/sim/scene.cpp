@@ -62,30 +62,6 @@ std::vector<Taps> picture_taps(int cells, int pixels) {
   return all;
 }
 
-// The picture brought to the extent of the grid.
-Grid<float> resample(const HeightPicture& picture, Extent extent) {
-  const std::vector<Taps> across = picture_taps(extent.nx, picture.nx());
-  const std::vector<Taps> up = picture_taps(extent.ny, picture.ny());
-  Grid<float> narrow({extent.nx, picture.ny()});
-  for (int y = 0; y < picture.ny(); ++y) {
-    for (int x = 0; x < extent.nx; ++x) {
-      const Taps& taps = across[static_cast<std::size_t>(x)];
-      int pixel = taps.first;
-      for (const float weight : taps.weights) narrow(x, y) += weight * picture(pixel++, y);
-    }
-  }
-  Grid<float> result(extent);
-  for (int y = 0; y < extent.ny; ++y) {
-    const Taps& taps = up[static_cast<std::size_t>(y)];
-    int pixel = taps.first;
-    for (const float weight : taps.weights) {
-      for (int x = 0; x < extent.nx; ++x) result(x, y) += weight * narrow(x, pixel);
-      ++pixel;
-    }
-  }
-  return result;
-}
-
 class SceneBuilder {
  public:
   SceneBuilder(const Config& config, double quantum)
@@ -295,6 +271,29 @@ class SceneBuilder {
 };
 
 }  // namespace
+
+Grid<float> resample(const HeightPicture& picture, Extent extent) {
+  const std::vector<Taps> across = picture_taps(extent.nx, picture.nx());
+  const std::vector<Taps> up = picture_taps(extent.ny, picture.ny());
+  Grid<float> narrow({extent.nx, picture.ny()});
+  for (int y = 0; y < picture.ny(); ++y) {
+    for (int x = 0; x < extent.nx; ++x) {
+      const Taps& taps = across[static_cast<std::size_t>(x)];
+      int pixel = taps.first;
+      for (const float weight : taps.weights) narrow(x, y) += weight * picture(pixel++, y);
+    }
+  }
+  Grid<float> result(extent);
+  for (int y = 0; y < extent.ny; ++y) {
+    const Taps& taps = up[static_cast<std::size_t>(y)];
+    int pixel = taps.first;
+    for (const float weight : taps.weights) {
+      for (int x = 0; x < extent.nx; ++x) result(x, y) += weight * narrow(x, pixel);
+      ++pixel;
+    }
+  }
+  return result;
+}
 
 Terrain build_scene(const Config& config, double quantum, const HeightPicture* picture) {
   return SceneBuilder(config, quantum).build(picture);

@@ -30,14 +30,23 @@ bool needs_new_terrain(const Config& running, const Config& wanted) {
          });
 }
 
-Simulation::Simulation(Config config, const HeightPicture* picture) : config_(std::move(config)) {
+Simulation::Simulation(Config config, const HeightPicture* picture, const HeightPicture* model_picture)
+    : config_(std::move(config)) {
   start();
   state_.terrain = build_scene(config_, model_->quantum(), picture);
-  model_->begin(state_.terrain);
+  begin_model(model_picture);
 }
 
 Simulation::Simulation(Config config, RunState state) : config_(std::move(config)), state_(std::move(state)) {
   start();
+  begin_model(nullptr);
+}
+
+void Simulation::begin_model(const HeightPicture* picture) {
+  Grid<float> on_grid;
+  if (picture != nullptr) on_grid = resample(*picture, state_.terrain.extent());
+  model_->prepare({static_cast<std::uint64_t>(config_.run.integer("seed")), weather(0).temperature,
+                   picture != nullptr ? &on_grid : nullptr});
   model_->begin(state_.terrain);
 }
 
@@ -47,7 +56,14 @@ void Simulation::start() {
   executor_ = make_executor(executor_options(config_.run));
 }
 
-WindNow Simulation::last_wind() const { return config_.wind.at(std::max<std::int64_t>(0, state_.step - 1)); }
+WindNow Simulation::last_wind() const { return weather(std::max<std::int64_t>(0, state_.step - 1)); }
+
+WindNow Simulation::weather(std::int64_t step) const {
+  WindNow now = config_.wind.at(step);
+  const std::int64_t last = config_.run.integer("steps") - 1;
+  now.temperature = config_.temperature.at(last > 0 ? static_cast<double>(step) / static_cast<double>(last) : 0.0);
+  return now;
+}
 
 StepReport Simulation::step() {
   if (finished()) return {};
@@ -85,7 +101,7 @@ void Simulation::change(Config config) {
   config_ = std::move(config);
   model_ = std::move(model);
   executor_ = std::move(executor);
-  model_->begin(state_.terrain);
+  begin_model(nullptr);
   wake();
 }
 

@@ -25,18 +25,21 @@ bool needs_new_terrain(const Config& running, const Config& wanted);
 
 class Simulation {
  public:
-  /// Builds the scene. `picture` as in build_scene.
-  explicit Simulation(Config config, const HeightPicture* picture = nullptr);
+  /// Builds the scene. `picture` as in build_scene; `model_picture`: that of the model's own path parameter.
+  explicit Simulation(Config config, const HeightPicture* picture = nullptr,
+                      const HeightPicture* model_picture = nullptr);
   /// Goes on from a saved state.
   Simulation(Config config, RunState state);
 
   const Config& config() const { return config_; }
   const ModelType& model_type() const { return *type_; }
   const Model& model() const { return *model_; }
+  /// Keeps the ways of about so many grains of every step to come (Model::keep_paths).
+  void keep_paths(int count) { model_->keep_paths(count); }
   /// Steps done.
   std::int64_t step_count() const { return state_.step; }
   /// The wind of the step to come.
-  WindNow wind() const { return config_.wind.at(state_.step); }
+  WindNow wind() const { return weather(state_.step); }
   /// The wind of the last step done (of the first, before it).
   WindNow last_wind() const;
   Executor& executor() { return *executor_; }
@@ -60,6 +63,8 @@ class Simulation {
  private:
   void start();
   void wake();
+  WindNow weather(std::int64_t step) const;
+  void begin_model(const HeightPicture* picture);
 
   Config config_;
   const ModelType* type_ = nullptr;

@@ -10,10 +10,10 @@
 namespace erg {
 namespace {
 
-/// A cell that the dab touches, with what it adds.
+/// A cell that the dab touches, and how much of its amount that cell gets, 0 to 1.
 struct Touch {
   std::size_t cell = 0;
-  std::int32_t amount = 0;
+  double share = 0;
 };
 
 /// (1 - (d/r)^2)^2: 1 in the middle, level there and at the rim.
@@ -48,9 +48,9 @@ std::vector<Touch> touches(const Terrain& terrain, const Dab& dab) {
     for (int x = columns.first; x <= columns.last; ++x) {
       const double dx = x + 0.5 - dab.x;
       const double dy = y + 0.5 - dab.y;
-      const auto amount = static_cast<std::int32_t>(std::lround(dab.amount * falloff(dx * dx + dy * dy, dab.radius)));
-      if (amount == 0) continue;
-      found.push_back({terrain.mobile().index(wrap(x, terrain.nx()), wrap(y, terrain.ny())), amount});
+      const double share = falloff(dx * dx + dy * dy, dab.radius);
+      if (share == 0) continue;
+      found.push_back({terrain.mobile().index(wrap(x, terrain.nx()), wrap(y, terrain.ny())), share});
     }
   }
   return found;
@@ -60,23 +60,39 @@ void check(const Dab& dab) {
   if (!(dab.radius >= smallest_brush && dab.radius <= largest_brush)) {
     throw InputError("brush", "the radius is out of range", "give 0.5 to 512 cells");
   }
+  if (dab.material == BrushMaterial::field && !std::isfinite(dab.strength)) {
+    throw InputError("brush", "the strength is no number", "give one");
+  }
   if (std::abs(static_cast<std::int64_t>(dab.amount)) > highest_terrain) {
     throw InputError("brush", "the amount is out of range", "give at most 40000 slabs");
   }
 }
 
-}  // namespace
+bool apply_to_field(Terrain& terrain, const Dab& dab, const std::vector<Touch>& touched) {
+  const auto same_key = [&](const Field& field) { return field.info.key == dab.field; };
+  const auto place = std::ranges::find_if(terrain.fields(), same_key) - terrain.fields().begin();
+  if (place == static_cast<std::ptrdiff_t>(terrain.fields().size())) {
+    throw InputError("brush", "this model has no layer " + in_quotes(dab.field), "choose another");
+  }
+  Field& field = terrain.edit_fields()[static_cast<std::size_t>(place)];
+  bool changed = false;
+  for (const Touch& touch : touched) {
+    const double wanted = field.values[touch.cell] + dab.strength * touch.share;
+    const auto kept = static_cast<float>(std::clamp(wanted, field.info.minimum, field.info.maximum));
+    changed = changed || kept != field.values[touch.cell];
+    field.values[touch.cell] = kept;
+  }
+  return changed;
+}
 
-bool apply_dab(Terrain& terrain, const Dab& dab) {
-  check(dab);
-  const std::vector<Touch> touched = touches(terrain, dab);
+bool apply_to_ground(Terrain& terrain, const Dab& dab, const std::vector<Touch>& touched) {
   const bool sand = dab.material == BrushMaterial::sand;
   const Grid<std::int32_t>& before = sand ? terrain.mobile() : terrain.bedrock();
   std::vector<std::int32_t> old(touched.size());
   std::vector<std::int32_t> wanted(touched.size());
   for (std::size_t i = 0; i < touched.size(); ++i) {
     old[i] = before[touched[i].cell];
-    wanted[i] = old[i] + touched[i].amount;
+    wanted[i] = old[i] + static_cast<std::int32_t>(std::lround(dab.amount * touched[i].share));
     if (sand) wanted[i] = std::max(wanted[i], 0);
   }
   if (wanted == old) return false;
@@ -92,6 +108,15 @@ bool apply_dab(Terrain& terrain, const Dab& dab) {
     throw;
   }
   return true;
+}
+
+}  // namespace
+
+bool apply_dab(Terrain& terrain, const Dab& dab) {
+  check(dab);
+  const std::vector<Touch> touched = touches(terrain, dab);
+  return dab.material == BrushMaterial::field ? apply_to_field(terrain, dab, touched)
+                                              : apply_to_ground(terrain, dab, touched);
 }
 
 }  // namespace erg

@@ -1,7 +1,8 @@
-// Painting: sand and rock put on the ground or taken from it, with the account kept.
+// Painting: sand and rock put on the ground or taken from it, and declared layers such as plants.
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "core/terrain.h"
 
@@ -10,16 +11,20 @@ namespace erg {
 /// What a brush puts down.
 enum class BrushMaterial {
   sand,  ///< the mobile layer: sand or snow
-  rock   ///< bedrock, which nothing moves; the mobile layer on it is lifted along
+  rock,  ///< bedrock, which nothing moves; the mobile layer on it is lifted along
+  field  ///< a declared layer of the model, such as plants
 };
 
 /// One touch of a brush.
 struct Dab {
   BrushMaterial material = BrushMaterial::sand;
-  double x = 0;             ///< cells east of the grid's western edge (a cell's centre lies at its index + 0.5)
-  double y = 0;             ///< cells north of the southern edge
-  double radius = 8;        ///< cells, smallest_brush to largest_brush
-  std::int32_t amount = 1;  ///< quanta at the middle, falling smoothly to none at the radius; negative takes away
+  double x = 0;       ///< cells east of the grid's western edge (a cell's centre lies at its index + 0.5)
+  double y = 0;       ///< cells north of the southern edge
+  double radius = 8;  ///< cells, smallest_brush to largest_brush
+  std::int32_t amount =
+      1;  ///< sand, rock: quanta at the middle, falling smoothly to none at the radius; negative takes away
+  std::string field = {};  ///< field: its key
+  double strength = 0;     ///< field: what is added at the middle, in the field's unit; kept within its range
 };
 
 inline constexpr double smallest_brush = 0.5;
@@ -27,7 +32,8 @@ inline constexpr double largest_brush = 512;
 
 /// Puts one dab on the terrain: on a torus also across its edges, on an open grid cut off at them. Sand is taken only
 /// where some lies. Says whether a cell changed. Throws InputError, and leaves the terrain as it was, when the ground
-/// would become higher than executors count. The ledger is the caller's (Simulation::book_edit).
+/// would become higher than executors count, or for a field that the model does not have. The ledger is the caller's
+/// (Simulation::book_edit).
 bool apply_dab(Terrain& terrain, const Dab& dab);
 
 }  // namespace erg

@@ -50,6 +50,10 @@ std::vector<SetupDifference> Comparison::differences() const {
     if (!all_same(difference.values)) found.push_back(std::move(difference));
   };
   add("model", "Model", [](const Setup& setup) { return setup.model().info.title; });
+  add("temperature", "Temperature", [](const Setup& setup) {
+    const Temperature& temperature = setup.config().temperature;
+    return value_text(temperature.first) + " to " + value_text(temperature.last) + " deg C";
+  });
   for (const ConfigGroup& group : config_groups()) {
     std::set<std::string> seen;
     for (const Setup& first : setups_) {

@@ -14,6 +14,7 @@ using namespace std::chrono_literals;
 constexpr auto least_pause = std::chrono::microseconds(33'333);  // between two snapshots of a running run
 constexpr int work_for_looking = 5;                              // a snapshot may take 1/5 of the worker's time
 constexpr int work_for_numbers = 10;                             // taking numbers 1/10
+constexpr int most_doublings = 6;                                // of the pause between two rows of numbers, each time
 constexpr auto rate_window = 500ms;
 
 FieldInfo shadow_info() {
@@ -106,9 +107,11 @@ void Publisher::stepped(Lockstep& runs, std::int64_t polls) {
     lane.stale = true;
     if (!lane.series.due(runs.run(i).step_count())) continue;
     const Clock::time_point begin = Clock::now();
-    const Clock::duration pause = begin - lane.numbers_taken;
+    Clock::duration pause = begin - lane.numbers_taken;
     take_numbers(lane, runs.run(i));
-    if ((lane.numbers_taken - begin) * work_for_numbers > pause) lane.series.widen();
+    // At once as seldom as is cheap enough: on a large grid a row takes as long as many steps.
+    const Clock::duration long_enough = (lane.numbers_taken - begin) * work_for_numbers;
+    for (int doubled = 0; doubled < most_doublings && pause < long_enough; ++doubled, pause *= 2) lane.series.widen();
   }
 }
 

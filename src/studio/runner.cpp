@@ -253,7 +253,12 @@ void Runner::fail(const std::string& what) {
   const std::shared_ptr<const Snapshot> whole = snapshot();
   Lockstep::Moment moment;
   for (const RunSnapshot& run : whole->runs) moment.push_back(std::make_shared<const RunState>(run.state()));
-  runs_.go_to(moment);
+  try {
+    runs_.go_to(moment);
+  } catch (const std::exception& error) {
+    log_.error(std::string("the runs cannot be taken back to the last whole step: ") + error.what());
+    return;
+  }
   publisher_.touched(runs_);
   log_.information("the runs stand as they were after step " + std::to_string(whole->step()));
 }
@@ -271,8 +276,15 @@ void Runner::publish() {
   next->commands_done = done_;
   next->failed_creation = failed_creation_;
   next->creations = creations_;
-  publisher_.fill(*next, runs_, activity_ == Activity::running);
   unshown_ = false;
+  try {
+    publisher_.fill(*next, runs_, activity_ == Activity::running);
+  } catch (const std::exception& error) {  // no memory for another copy of the terrain
+    activity_ = next->activity = Activity::failed;
+    next->message = message_ = std::string("the runs cannot be shown: ") + error.what();
+    next->runs = snapshot()->runs;
+    log_.error(message_);
+  }
   std::shared_ptr<const Snapshot> shown = std::move(next);
   {
     const std::lock_guard lock(mutex_);

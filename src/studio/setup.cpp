@@ -17,13 +17,6 @@ std::int64_t drawn_seed() {
   return std::uniform_int_distribution<std::int64_t>(1, largest_drawn_seed)(device);
 }
 
-/// Whether a declared value matters with the others of its group as they are.
-bool is_relevant(const Parameter& parameter, const ParameterValues& values) {
-  if (parameter.only_when.empty()) return true;
-  const std::string& deciding = values.text(parameter.only_when.front());
-  return std::find(parameter.only_when.begin() + 1, parameter.only_when.end(), deciding) != parameter.only_when.end();
-}
-
 const ParameterValues* group_of(const Config& config, const std::string& key) {
   for (const ConfigGroup& group : config_groups()) {
     if (group.key == key) return &(config.*group.values);
@@ -73,7 +66,7 @@ std::vector<SetupRow> Setup::rows(const std::string& group, const Config* runnin
     row.parameter = &parameter;
     row.value = values->value(parameter.key);
     row.changed = !values->is_default(parameter.key);
-    row.relevant = is_relevant(parameter, *values);
+    row.relevant = values->matters(parameter);
     row.needs_new_terrain = parameter.at_start;
     row.pending = in_force != nullptr &&
                   (in_force->find(parameter.key) == nullptr || in_force->value(parameter.key) != row.value);
@@ -126,16 +119,42 @@ std::vector<std::string> Setup::explanations() const {
 
 std::vector<Mistake> Setup::mistakes() const {
   std::vector<Mistake> found;
-  if (config_.scene.text("kind") == "image") {
-    const std::string& image = config_.scene.text("image");
+  for (const ParameterValues* values : {&config_.scene, &config_.parameters}) {
+    const Parameter* picture = wanted_path(*values);
+    if (picture == nullptr) continue;
+    const std::string& path = values->text(picture->key);
     std::error_code failed;
-    if (image.empty()) {
-      found.push_back({"Scene", "no picture is chosen", "choose one, or another scene"});
-    } else if (!std::filesystem::is_regular_file(image, failed)) {
-      found.push_back({"Scene", "there is no picture " + in_quotes(image), "choose another"});
+    if (path.empty()) {
+      found.push_back({picture->label, "no picture is chosen", "choose one"});
+    } else if (!std::filesystem::is_regular_file(path, failed)) {
+      found.push_back({picture->label, "there is no picture " + in_quotes(path), "choose another"});
     }
   }
   return found;
+}
+
+std::optional<Mistake> Setup::set_temperatures(double first, double last) {
+  for (const double temperature : {first, last}) {
+    if (auto mistake = check_value(temperature_parameter(), temperature, "temperature")) return mistake;
+  }
+  config_.temperature.first = first;
+  config_.temperature.last = last;
+  return std::nullopt;
+}
+
+std::optional<Mistake> Setup::set_temperature_curve(const BezierCurve& curve) {
+  if (auto mistake = check_curve(curve, "temperature")) return mistake;
+  config_.temperature.curve = curve;
+  return std::nullopt;
+}
+
+std::vector<double> Setup::sampled_temperature(std::size_t samples) const {
+  std::vector<double> values;
+  samples = std::max<std::size_t>(samples, 2);
+  for (std::size_t i = 0; i < samples; ++i) {
+    values.push_back(config_.temperature.at(static_cast<double>(i) / static_cast<double>(samples - 1)));
+  }
+  return values;
 }
 
 bool Setup::needs_new_terrain(const Config& running) const { return erg::needs_new_terrain(running, config_); }
@@ -146,6 +165,7 @@ Config Setup::in_force_on(const Config& running) const {
   result.title = config_.title;
   result.description = config_.description;
   result.wind = config_.wind;
+  result.temperature = config_.temperature;
   for (const ConfigGroup& group : config_groups()) {
     for (const Parameter& parameter : (config_.*group.values).declared()) {
       if (parameter.at_start) continue;

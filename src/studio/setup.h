@@ -66,13 +66,20 @@ class Setup {
   /// The wind under edit.
   WindEditor wind() { return WindEditor(config_.wind); }
 
+  /// The temperature over the run (only snow models ask for it): first and last, deg C, and the curve between them, for
+  /// `run.steps` steps. Each says what is wrong, and then nothing has changed.
+  std::optional<Mistake> set_temperatures(double first, double last);
+  std::optional<Mistake> set_temperature_curve(const BezierCurve& curve);
+  /// deg C at so many moments (at least 2), evenly from the first step to the last, for a plot.
+  std::vector<double> sampled_temperature(std::size_t samples) const;
+
   /// Whether CREATE draws a new seed each time.
   bool fresh_seed() const { return fresh_seed_; }
   void set_fresh_seed(bool fresh) { fresh_seed_ = fresh; }
 
   /// What the values mean on the grid, in words of the model ("repose 33.7 deg: a step of 3 slabs stands").
   std::vector<std::string> explanations() const;
-  /// What stands against CREATE: a picture that is missing. Each value by itself is always right.
+  /// What stands against CREATE: pictures that are missing. Each value by itself is always right.
   std::vector<Mistake> mistakes() const;
   /// Whether CREATE is needed for what differs from the running config.
   bool needs_new_terrain(const Config& running) const;

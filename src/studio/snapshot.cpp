@@ -41,11 +41,17 @@ double Snapshot::seconds_left() const {
 
 std::string clock_text(const Config& config, std::int64_t step) {
   std::string text = "step " + std::to_string(step);
+  const auto add = [&text](const char* form, double amount) {
+    char words[48];
+    std::snprintf(words, sizeof words, form, amount);
+    text += words;
+  };
+  const auto steps = static_cast<double>(step);
   if (config.parameters.find("steps_per_year") != nullptr) {
-    const double years = static_cast<double>(step) / static_cast<double>(config.parameters.integer("steps_per_year"));
-    char year[32];
-    std::snprintf(year, sizeof year, ", year %.1f", years);
-    text += year;
+    add(", year %.1f", steps / static_cast<double>(config.parameters.integer("steps_per_year")));
+  }
+  if (config.parameters.find("time_step") != nullptr) {
+    add(", %.1f h", steps * config.parameters.real("time_step") / 3600);
   }
   return text;
 }

@@ -82,11 +82,19 @@ std::optional<Mistake> WindEditor::set_steps(std::size_t index, std::int64_t ste
   return std::nullopt;
 }
 
+std::optional<Mistake> WindEditor::set_snowfall(std::size_t index, double snowfall) {
+  if (auto mistake = check_value(season_snowfall_parameter(), snowfall, season_place(index))) return mistake;
+  regime_->seasons.at(index).snowfall = snowfall;
+  return std::nullopt;
+}
+
+std::optional<Mistake> check_curve(const BezierCurve& curve, const std::string& place) {
+  if (in_unit_square(curve.first) && in_unit_square(curve.second)) return std::nullopt;
+  return Mistake{place, "a control point lies outside the curve's square", "expected x and y in 0 to 1"};
+}
+
 std::optional<Mistake> WindEditor::set_curve(std::size_t index, const BezierCurve& curve) {
-  if (!in_unit_square(curve.first) || !in_unit_square(curve.second)) {
-    return Mistake{season_place(index), "a control point lies outside the curve's square",
-                   "expected x and y in 0 to 1"};
-  }
+  if (auto mistake = check_curve(curve, season_place(index))) return mistake;
   regime_->seasons.at(index).curve = curve;
   return std::nullopt;
 }

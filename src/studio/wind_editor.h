@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "wind/regime.h"
 
 namespace erg {
+
+/// What is wrong with a curve that people bend: its control points must lie in the unit square.
+std::optional<Mistake> check_curve(const BezierCurve& curve, const std::string& place);
 
 /// Edits a regime where it stands. There is always at least one season; values outside their range are refused.
 class WindEditor {
@@ -39,6 +43,8 @@ class WindEditor {
   std::optional<Mistake> set_bearing(std::size_t index, std::string_view text);
   std::optional<Mistake> set_first(std::size_t index, double strength);
   std::optional<Mistake> set_last(std::size_t index, double strength);
+  /// mm of snow an hour, for snow models that let it fall.
+  std::optional<Mistake> set_snowfall(std::size_t index, double snowfall);
   std::optional<Mistake> set_steps(std::size_t index, std::int64_t steps);
   /// The strength curve's control points; both must lie in the unit square.
   std::optional<Mistake> set_curve(std::size_t index, const BezierCurve& curve);

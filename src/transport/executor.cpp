@@ -1,11 +1,8 @@
 #include "transport/executor.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "core/errors.h"
-#include "transport/parallel_executor.h"
-#include "transport/serial_executor.h"
 
 namespace erg {
 
@@ -44,11 +41,6 @@ std::string to_string(InstructionSet set) {
   return "portable";
 }
 
-const std::vector<std::string>& executor_names() {
-  static const std::vector<std::string> names{"auto", "serial", "cpu"};
-  return names;
-}
-
 std::int32_t check_height(const Terrain& terrain) {
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();
@@ -63,16 +55,6 @@ std::int32_t check_height(const Terrain& terrain) {
                      "use a larger slab height or a lower terrain");
   }
   return lowest;
-}
-
-std::unique_ptr<Executor> make_executor(const ExecutorOptions& options) {
-  if (options.name == "serial") return std::make_unique<SerialExecutor>();
-  if (options.name == "cpu" || options.name == "auto") {
-    ExecutorOptions chosen = options;
-    if (chosen.threads <= 0) chosen.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    return std::make_unique<ParallelExecutor>(chosen);
-  }
-  throw InputError("executor", "unknown executor \"" + options.name + "\"", suggestion(options.name, executor_names()));
 }
 
 }  // namespace erg

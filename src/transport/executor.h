@@ -40,10 +40,14 @@ class Executor {
 
   virtual std::string name() const = 0;
   virtual int threads() const = 0;
+  /// Sub-sweeps that a step is cut into; 0: one slab at a time.
+  virtual int sub_sweeps() const { return 0; }
   /// Moves the slabs of one time step and books in- and outflow in the terrain's ledger.
   virtual StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) = 0;
   /// Brings the terrain's layers up to date.
   virtual void settle(Terrain& terrain) = 0;
+  /// What the user should know that happened since this was last asked (a device was lost), in one line; mostly empty.
+  virtual std::string take_notice() { return {}; }
   /// Runs `work` over pieces [begin, end) that together are [0, items), on all threads, and returns when all are done:
   /// for what a model does between the slabs' moves. Pieces must not depend on each other, nor the result on where
   /// they begin; `work` must not throw.
@@ -60,11 +64,11 @@ std::string to_string(InstructionSet set);
 struct ExecutorOptions {
   std::string name = "auto";  ///< one of executor_names(); "auto" takes the fastest that works
   int threads = 0;            ///< 0: one for each processor
-  int sweeps = 16;            ///< K, sub-sweeps a step (cpu): a power of two, 2 to 64
+  int sweeps = 16;            ///< K, sub-sweeps a step (cpu, cuda): a power of two, 2 to 64
   InstructionSet instructions = best_instruction_set();
 };
 
-/// "auto", "serial", "cpu".
+/// "auto", "serial", "cpu", "cuda". This and make_executor stand in the layer `executors`, which knows them all.
 const std::vector<std::string>& executor_names();
 
 /// The highest cell over the lowest bedrock that executors count, in slabs: 16 bits, with room for what a step may add.
@@ -72,7 +76,8 @@ inline constexpr int highest_terrain = 40000;
 /// The lowest bedrock of a terrain; throws InputError if its highest cell stands more than `highest_terrain` over it.
 std::int32_t check_height(const Terrain& terrain);
 
-/// Throws InputError for an unknown name.
+/// Throws InputError for an unknown name. "cuda" where no device works is the processor with a notice; "auto" then is
+/// the processor without one.
 std::unique_ptr<Executor> make_executor(const ExecutorOptions& options);
 
 }  // namespace erg

@@ -1,42 +1,18 @@
 #include "transport/parallel_executor.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <utility>
 
 #include "core/errors.h"
 #include "transport/fixed_point.h"
-#include "transport/slab_cell.h"
+#include "transport/sub_sweep.h"
 
 namespace erg {
 namespace {
 
-/// Forced erosion gives up after this many rounds of K sub-sweeps without a lift.
-constexpr int idle_rounds = 4;
-
-/// A standing step that 16-bit lanes can add to any height; steeper slopes than this need no test.
-constexpr int longest_step = 25000;
-
-/// What the random words of a step are for; each has a key space of its own.
-enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations };
-
-/// 256 permutations of K rows, one for each random byte, seen by one sub-sweep of the round: the row it polls.
-void permuted_rows(StepKey key, int round, int sweep, int sweeps, std::vector<std::uint8_t>& rows) {
-  rows.resize(256);
-  std::array<std::uint8_t, 64> order{};
-  for (std::uint32_t number = 0; number < 256; ++number) {
-    for (int k = 0; k < sweeps; ++k) order[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(k);
-    std::uint64_t word = random_word(key, static_cast<std::uint64_t>(round), number, permutations);
-    for (int last = sweeps - 1; last > 0; --last) {
-      word = mix64(word);
-      const auto other = static_cast<std::size_t>(((word >> 32) * static_cast<std::uint64_t>(last + 1)) >> 32);
-      std::swap(order[static_cast<std::size_t>(last)], order[other]);
-    }
-    rows[number] = order[static_cast<std::size_t>(sweep)];
-  }
-}
+/// The steepest fall of a shadow line that 8-bit lanes can tell from a steeper one.
+constexpr std::uint32_t narrow_shadow = 0xffff;
 
 /// Tiles are numbered up each block, then along the blocks.
 int tile_rows_of(int length) { return std::max(1, length / tile_rows); }
@@ -60,7 +36,7 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
   largest_step_ = std::max({law.bare.straight, law.covered.straight, law.bare.diagonal, law.covered.diagonal});
   if (loaded_ != &terrain || revision_ != terrain.revision()) {
     load(terrain, frame);
-  } else if (!frame_.same_axes(frame)) {
+  } else if (!lies_ready_for(frame)) {
     settle(terrain);
     load(terrain, frame);
   }
@@ -96,8 +72,7 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
 // --- sub-sweeps ---
 
 bool ParallelExecutor::goes_on(const Progress& progress) const {
-  if (!progress.law->forced_erosion) return progress.sweep < options_.sweeps;
-  return progress.counts.lifts < cells() && progress.idle < idle_rounds * options_.sweeps;
+  return erg::goes_on(*progress.law, progress.sweep, progress.idle, progress.counts.lifts, cells(), options_.sweeps);
 }
 
 /// Runs sub-sweeps until the step is done; false if 8-bit lanes cannot hold the next one, which then has left no trace.
@@ -134,14 +109,21 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
   const auto [first_strip, end_strip] = share(static_cast<int>(mine.strips.size()), member);
   Lane* before = mine.before.data();
   Lane* after = mine.after.data();
-  std::vector<std::uint8_t> polled_rows;
   while (goes_on(progress) && ring_rows(progress.highest) <= rows) {
-    SweepPlan<Lane> plan = sweep_plan<Lane>(progress, polled_rows);
+    SweepPlan<Lane> plan = sweep_plan<Lane>(progress);
     plan.before = before;
     plan.after = after;
     plan.ring_rows = rows;
     for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
     team_.meet();
+    if (layout_.lean != 0) {
+      // What hangs over into a member's strip it takes itself: those places are in its own processor's cache.
+      const auto strips = static_cast<int>(mine.strips.size());
+      for (int k = first_strip; k < end_strip; ++k) {
+        kernels.hand_over(plan, mine.strips[static_cast<std::size_t>((k + strips - 1) % strips)]);
+      }
+      team_.meet();
+    }
     for (int k = first_strip; k < end_strip; ++k) {
       Strip<Lane>& strip = mine.strips[static_cast<std::size_t>(k)];
       if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);
@@ -153,7 +135,7 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
       progress.crowded = true;
       break;
     }
-    slide<Lane>(kernels, slide_plan<Lane>(progress, after), member);
+    slide<Lane>(kernels, slide_plan<Lane>(plan, *progress.law), member);
     take_account(progress, counts, bound);
     std::swap(before, after);
   }
@@ -197,8 +179,9 @@ void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<
   const int blocks = plan.layout.blocks;
   const auto [first, end] = share(blocks * tile_rows_of(length), member);
   for (int k = first; k < end; ++k) kernels.slide_tile(plan, tile_number(k, length));
-  // Where members hold whole blocks, the seams inside them wait for nobody.
-  if (blocks % team_.size() != 0) team_.meet();
+  // Where members hold whole blocks, the seams inside them wait for nobody; over the edge of a skewed torus they meet
+  // other blocks.
+  if (blocks % team_.size() != 0 || plan.layout.lean != 0) team_.meet();
   for (int k = first; k < end; ++k) {
     const SlideTile tile = tile_number(k, length);
     if (tile.end_row < length || (!plan.open && length > 2)) kernels.slide_row_seam(plan, tile);
@@ -209,6 +192,10 @@ void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<
     const bool closes = block + 1 == blocks;
     if (!closes || (!plan.open && plan.layout.width > 2))
       kernels.slide_column_seam(plan, block, closes ? 0 : block + 1);
+  }
+  if (plan.diagonals && plan.layout.lean != 0 && length > 1) {
+    team_.meet();
+    if (member == 0) kernels.slide_corners(plan);
   }
   team_.meet();
 }
@@ -229,67 +216,39 @@ void ParallelExecutor::for_pieces(std::int64_t items,
 }
 
 template <typename Lane>
-SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress, std::vector<std::uint8_t>& polled_rows) const {
-  const SlabLaw& law = *progress.law;
+SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress) const {
   const Planes<Lane>& mine = planes<Lane>();
-  const int round = progress.sweep / options_.sweeps;
-  const auto sweep = static_cast<std::uint64_t>(progress.sweep);
   SweepPlan<Lane> plan;
+  static_cast<SubSweep&>(plan) = sub_sweep(*progress.law, frame_, open_, progress.key, progress.sweep, options_.sweeps);
   plan.layout = layout_;
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();
   plan.cover = cover_.empty() ? nullptr : cover_.data();
   plan.wall_rows = wall_rows_.empty() ? nullptr : wall_rows_.data();
   plan.open = open_;
-  plan.sweep_word = random_word(progress.key, sweep, 0, decisions);
-  plan.sweeps = options_.sweeps;
-  // Non-repeated polling cuts the lines into blocks for a whole round of K sub-sweeps, so it keeps its lines that long.
-  const std::uint64_t line_age = law.repeated_polling ? sweep : static_cast<std::uint64_t>(round) << 32;
-  plan.poll_word = random_word(progress.key, line_age, 0, polls);
-  if (!law.repeated_polling) {
-    permuted_rows(progress.key, round, progress.sweep % options_.sweeps, options_.sweeps, polled_rows);
-    plan.polled_row = polled_rows.data();
+  if (sizeof(Lane) == 1) {
+    plan.row_fall = std::min(plan.row_fall, narrow_shadow);
+    plan.adjacent_fall = std::min(plan.adjacent_fall, narrow_shadow);
   }
-  if (frame_.tangent > 0) {
-    plan.oblique = true;
-    const auto tangent_24 = static_cast<std::int64_t>(frame_.tangent * 0x1p24);
-    plan.drift = (frame_.length * tangent_24 + random_below(progress.key, line_age, 0, lines, 1u << 24)) >> 24;
-    plan.phase = random_below(progress.key, line_age, 1, lines, static_cast<std::uint32_t>(frame_.length));
-  }
-  plan.p_sand_16 = static_cast<std::uint32_t>(std::llround(law.p_sand * 65536));
-  plan.p_bare_16 = static_cast<std::uint32_t>(std::llround(law.p_bare * 65536));
-  plan.lift_in_shadow = law.erode_in_shadow;
-  const std::int64_t steepest = sizeof(Lane) == 1 ? 0xffff : 0xffffffff;
-  plan.row_fall =
-      static_cast<std::uint32_t>(std::clamp<std::int64_t>(fixed_point(law.shadow_fall / frame_.cosine), 1, steepest));
-  plan.adjacent_fall = static_cast<std::uint32_t>(std::clamp<std::int64_t>(fixed_point(law.shadow_fall), 1, steepest));
   plan.warm_up = (progress.highest << fixed_point_bits) / static_cast<int>(plan.row_fall) + 2;
-  plan.wall_step = law.bare.straight;
   plan.hop_by_height = hop_table_.size() > 1;
   plan.hop_table = hop_table_.data();
-  if (open_ && progress.sweep < options_.sweeps) plan.inflow = law.inflow / options_.sweeps;
   return plan;
 }
 
 template <typename Lane>
-SlidePlan<Lane> ParallelExecutor::slide_plan(const Progress& progress, Lane* heights) const {
-  const SlabLaw& law = *progress.law;
+SlidePlan<Lane> ParallelExecutor::slide_plan(const SweepPlan<Lane>& sweep, const SlabLaw& law) const {
   const Planes<Lane>& mine = planes<Lane>();
   SlidePlan<Lane> plan;
   plan.layout = layout_;
-  plan.heights = heights;
+  plan.heights = sweep.after;
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();
   plan.steps = mine.steps.empty() ? nullptr : mine.steps.data();
   plan.diagonal_steps = mine.diagonal_steps.empty() ? nullptr : mine.diagonal_steps.data();
   plan.step = std::min(law.bare.straight, longest_step);
   plan.diagonal_step = std::min(law.bare.diagonal, longest_step);
-  plan.diagonals = law.neighbours == 8;
+  plan.diagonals = sweep.edge_classes == 8;
   plan.open = open_;
-  const std::uint32_t classes = plan.diagonals ? 8 : 4;
-  for (std::uint32_t k = 0; k < classes; ++k) plan.order[k] = static_cast<std::uint8_t>(k);
-  for (std::uint32_t last = classes - 1; last > 0; --last) {
-    const auto sweep = static_cast<std::uint64_t>(progress.sweep);
-    std::swap(plan.order[last], plan.order[random_below(progress.key, sweep, last, slide_order, last + 1)]);
-  }
+  plan.order = sweep.order;
   return plan;
 }
 

@@ -3,9 +3,10 @@
 // a time, on any number of threads with the same bits.
 //
 // A sub-sweep has four phases, with a barrier after each: *convey* (each thread follows its strips of lines down the
-// wind), *carry* (slabs still in the air go on over the torus edge), *slide* (tiles, then the seams between their
-// rows), *seams* (between blocks of columns). It is deterministic because decisions read only the frozen plane and
-// keyed random numbers, lines never share a cell, and the edges of one class of slides are disjoint.
+// wind; on skewed planes it then hands over the cells at its strips' edges), *carry* (slabs still in the air go on over
+// the torus edge), *slide* (tiles, then the seams between their rows), *seams* (between blocks of columns). It is
+// deterministic because decisions read only the frozen plane and keyed random numbers, lines never share a cell, and
+// the edges of one class of slides are disjoint.
 #pragma once
 
 #include <utility>
@@ -25,6 +26,7 @@ class ParallelExecutor : public Executor {
 
   std::string name() const override { return "cpu"; }
   int threads() const override { return team_.size(); }
+  int sub_sweeps() const override { return options_.sweeps; }
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   void settle(Terrain& terrain) override;
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override;
@@ -40,6 +42,7 @@ class ParallelExecutor : public Executor {
     AlignedVector<Lane> diagonal_steps;
     std::vector<Strip<Lane>> strips;
     AlignedVector<Lane> rings;
+    AlignedVector<Overhang<Lane>> overhangs;  ///< of each strip and row; empty where planes are not skewed
   };
 
   /// One time step under way.
@@ -70,6 +73,7 @@ class ParallelExecutor : public Executor {
 
   std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
   void load(const Terrain& terrain, const WindFrame& frame);
+  bool lies_ready_for(const WindFrame& frame) const;
   template <typename Visit>
   void visit_cells(const Visit& visit);
   template <typename Lane>
@@ -99,9 +103,9 @@ class ParallelExecutor : public Executor {
   void slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
   std::pair<int, int> share(int count, int member) const;
   template <typename Lane>
-  SweepPlan<Lane> sweep_plan(const Progress& progress, std::vector<std::uint8_t>& polled_rows) const;
+  SweepPlan<Lane> sweep_plan(const Progress& progress) const;
   template <typename Lane>
-  SlidePlan<Lane> slide_plan(const Progress& progress, Lane* heights) const;
+  SlidePlan<Lane> slide_plan(const SweepPlan<Lane>& sweep, const SlabLaw& law) const;
 
   ExecutorOptions options_;
   ThreadTeam team_;

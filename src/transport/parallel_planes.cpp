@@ -1,5 +1,6 @@
 // The parallel executor's planes: the terrain in the wind's frame, and what the law means on it before a step.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -7,31 +8,13 @@
 #include "transport/parallel_executor.h"
 
 namespace erg {
-namespace {
-
-/// Cuts planes of this size into blocks of up to 512 columns, two at least from 256 columns on.
-PlaneLayout plane_layout(int width, int length) {
-  const auto whole_lines = [](int columns) { return (columns + 63) / 64 * 64; };
-  PlaneLayout layout;
-  layout.width = width;
-  layout.length = length;
-  const int wanted = width < 256 ? 1 : std::max(2, width / 512);
-  layout.block_columns = whole_lines((width + wanted - 1) / wanted);
-  layout.blocks = (width + layout.block_columns - 1) / layout.block_columns;
-  // Never a power of two, or the rows of a block would crowd into a few sets of the processor's caches.
-  layout.pitch = layout.block_columns + 64;
-  layout.block_size = static_cast<std::size_t>(layout.pitch) * static_cast<std::size_t>(length);
-  return layout;
-}
-
-}  // namespace
 
 void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();
   frame_ = frame;
-  layout_ = plane_layout(frame.width, frame.length);
   open_ = terrain.boundary() == Boundary::open;
+  layout_ = plane_layout(frame, open_);
   base_ = check_height(terrain);
   relief_ = false;
   highest_ = 0;
@@ -54,21 +37,33 @@ void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   revision_ = terrain.revision();
 }
 
+/// Whether the planes already lie as this frame wants them.
+bool ParallelExecutor::lies_ready_for(const WindFrame& frame) const {
+  return frame_.same_axes(frame) && layout_.lean == plane_layout(frame, open_).lean;
+}
+
 /// Calls visit(cell of the frame's plane, cell of the terrain) for all cells, in blocks that suit both orders of
 /// memory.
 template <typename Visit>
 void ParallelExecutor::visit_cells(const Visit& visit) {
+  std::vector<std::size_t> start(static_cast<std::size_t>(frame_.width));  // of each place in row 0
+  for (int place = 0; place < frame_.width; ++place) {
+    start[static_cast<std::size_t>(place)] = layout_.at_place(place, 0);
+  }
   constexpr int block_rows = 16;
   const int blocks = (frame_.length + block_rows - 1) / block_rows;
   team_.run([&](int member) {
     for (int block = member; block < blocks; block += team_.size()) {
       const int first = block * block_rows;
       const int end = std::min(frame_.length, first + block_rows);
+      std::array<int, block_rows> places{};  // of the column in each row
+      for (int v = first; v < end; ++v) places[static_cast<std::size_t>(v - first)] = layout_.wrapped(-layout_.skew(v));
       for (int u = 0; u < frame_.width; ++u) {
-        const std::size_t column = layout_.at(u / layout_.block_columns, u % layout_.block_columns, 0);
         for (int v = first; v < end; ++v) {
+          int& place = places[static_cast<std::size_t>(v - first)];
           const std::size_t row = static_cast<std::size_t>(v) * static_cast<std::size_t>(layout_.pitch);
-          visit(column + row, frame_.cell(u, v));
+          visit(start[static_cast<std::size_t>(place)] + row, frame_.cell(u, v));
+          if (++place == frame_.width) place = 0;
         }
       }
     }
@@ -179,8 +174,7 @@ void ParallelExecutor::prepare_walls(const SlabLaw& law) {
 template <typename Lane>
 void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength) {
   const auto rows_256 = [&](double above_reference) {
-    const double rows = law.hop.cells(strength, above_reference) * frame_.cosine;
-    return static_cast<std::uint32_t>(std::max<std::int64_t>(1 << fixed_point_bits, fixed_point(rows)));
+    return hop_rows_256({strength, law.hop.linear, law.hop.quadratic, frame_.cosine}, above_reference);
   };
   if (!law.hop.depends_on_height()) {
     hop_table_.assign(1, rows_256(0));
@@ -224,17 +218,22 @@ double ParallelExecutor::mean_deviation(double mean) {
 template <typename Lane>
 void ParallelExecutor::prepare_strips(int ring_rows) {
   Planes<Lane>& mine = planes<Lane>();
-  const int lines_each = (frame_.width + team_.size() - 1) / team_.size();
+  // As many for each member, so that none has more to do.
+  const int strips_each = (frame_.width + team_.size() * strip_lines - 1) / (team_.size() * strip_lines);
+  const int lines_each = (frame_.width + team_.size() * strips_each - 1) / (team_.size() * strips_each);
   const int lines = std::min(strip_lines, (lines_each + 63) / 64 * 64);
   const auto count = static_cast<std::size_t>((frame_.width + lines - 1) / lines);
   const std::size_t ring = static_cast<std::size_t>(ring_rows) * strip_lines;
   if (mine.strips.size() != count) mine.strips = std::vector<Strip<Lane>>(count);
   if (mine.rings.size() != ring * count) mine.rings.assign(ring * count, 0);
+  const std::size_t rows = layout_.lean != 0 ? static_cast<std::size_t>(layout_.length) : 0;
+  mine.overhangs.resize(rows * count);
   for (std::size_t k = 0; k < count; ++k) {
     Strip<Lane>& strip = mine.strips[k];
     strip.first = static_cast<int>(k) * lines;
     strip.lines = std::min(lines, frame_.width - strip.first);
     strip.ring = mine.rings.data() + ring * k;
+    strip.overhang = layout_.lean != 0 ? mine.overhangs.data() + rows * k : nullptr;
   }
 }
 

@@ -6,8 +6,12 @@
 
 #include "core/cell_rule.h"
 #include "core/random.h"
+#include "transport/fixed_point.h"
 
 namespace erg {
+
+/// Cells: no hop is shorter.
+inline constexpr double shortest_hop = 1.0;
 
 /// What a random byte in a sub-sweep is for.
 enum class Draw : std::uint32_t { poll = 1, hop, cover, inflow, first_landing, second_landing };
@@ -54,6 +58,28 @@ ERG_CELL_RULE std::uint32_t covered_chance(std::uint32_t chance, std::uint32_t c
 ERG_CELL_RULE std::int32_t line_offset(std::int64_t row, std::int64_t drift, std::int64_t phase, std::int64_t length) {
   const std::int64_t scaled = row * drift + phase;
   return static_cast<std::int32_t>(scaled >= 0 ? scaled / length : -((-scaled + length - 1) / length));
+}
+
+/// How a hop grows with the height of the ground (HopLaw), on rows that are 1 / cosine cells long.
+struct HopCurve {
+  double strength = 0;
+  double linear = 0;
+  double quadratic = 0;
+  double cosine = 1;
+};
+
+/// Cells of a hop from ground this high (slabs) over the reference, before the shortest hop bounds it.
+ERG_CELL_RULE double hop_cells(double strength, double linear, double quadratic, double above_reference) {
+  double length = strength + linear * above_reference;
+  if (above_reference > 0) length += quadratic * above_reference * above_reference;
+  return length > shortest_hop ? length : shortest_hop;
+}
+
+/// The same in rows * 256: 256 at least.
+ERG_CELL_RULE std::uint32_t hop_rows_256(const HopCurve& curve, double above_reference) {
+  const double rows = hop_cells(curve.strength, curve.linear, curve.quadratic, above_reference) * curve.cosine;
+  const std::int64_t rows_256 = fixed_point(rows);
+  return static_cast<std::uint32_t>(rows_256 > 256 ? rows_256 : 256);
 }
 
 /// Rows of a hop whose length is `rows_256` / 256, rounded by a random byte. rows_256 is at least 256.

@@ -1,6 +1,5 @@
 #include "transport/slab_law.h"
 
-#include <algorithm>
 #include <numbers>
 
 #include "core/units.h"
@@ -8,9 +7,7 @@
 namespace erg {
 
 double HopLaw::cells(double strength, double above_reference) const {
-  double length = strength + linear * above_reference;
-  if (above_reference > 0) length += quadratic * above_reference * above_reference;
-  return std::max(shortest_hop, length);
+  return hop_cells(strength, linear, quadratic, above_reference);
 }
 
 StandingSteps StandingSteps::of_angle(double angle, double cell_size, double slab_height) {

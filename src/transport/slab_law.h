@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/grid.h"
+#include "transport/slab_cell.h"
 
 namespace erg {
 
@@ -26,7 +27,6 @@ struct HopLaw {
   bool depends_on_height() const { return linear != 0 || quadratic != 0; }
   double cells(double strength, double above_reference) const;
 };
-inline constexpr double shortest_hop = 1.0;
 
 /// The largest steps between neighbouring cells that stand, in slabs; a larger one slides (tested before the move).
 struct StandingSteps {

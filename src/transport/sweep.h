@@ -10,40 +10,33 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "core/cell_rule.h"
 #include "transport/executor.h"
+#include "transport/plane_layout.h"
+#include "transport/sub_sweep.h"
 
 namespace erg {
 
 /// Lines that one strip holds at most; its scratch rows have this stride.
 inline constexpr int strip_lines = 512;
-/// Rows of a tile: slides inside tiles come first, then the seams between them.
-inline constexpr int tile_rows = 32;
 /// Slabs landing at one place that 8-bit lanes can count; more makes the sub-sweep start again with 16-bit lanes.
 inline constexpr int narrow_arrivals = 100;
 
-/// How a plane of the grid lies in memory: cut into blocks of columns, each whole and one after another, so that
-/// threads which work on different columns touch different memory (and what their prefetchers read ahead is their own).
-struct PlaneLayout {
-  int width = 0;
-  int length = 0;
-  int block_columns = 0;  ///< columns of a block; the last may have fewer
-  int blocks = 0;
-  int pitch = 0;  ///< lanes from one row of a block to the next
-  std::size_t block_size = 0;
+/// On skewed planes a line stands in its own place or up to so many places beside it: a part for the phase, a part for
+/// the rounded drift, and one that `skew` holds back.
+inline constexpr int most_lead = 3;
 
-  ERG_CELL_RULE std::size_t at(int block, int column_in_block, int row) const {
-    return static_cast<std::size_t>(block) * block_size +
-           static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch) + static_cast<std::size_t>(column_in_block);
-  }
-  ERG_CELL_RULE int columns_of(int block) const {
-    return block + 1 < blocks ? block_columns : width - block * block_columns;
-  }
+/// Cells of one row that stand in the places of the next strip. They are handed over after the conveyor, or two threads
+/// would write to the same piece of memory all the time.
+template <typename Lane>
+struct Overhang {
+  Lane lead = 0;
+  Lane heights[most_lead] = {};
 };
 
-/// Everything that all strips of a sub-sweep share. `Lane` counts slabs: 8 or 16 bits.
+/// Everything that all strips of a sub-sweep share: what was drawn for it, and where it works. `Lane` counts slabs: 8
+/// or 16 bits.
 template <typename Lane>
-struct SweepPlan {
+struct SweepPlan : SubSweep {
   PlaneLayout layout;
   const Lane* before = nullptr;
   Lane* after = nullptr;
@@ -52,26 +45,11 @@ struct SweepPlan {
   const std::uint8_t* wall_rows = nullptr;  ///< with obstacles: 1 where the row holds bedrock that may stop slabs
   bool open = false;
 
-  std::uint64_t sweep_word = 0;              ///< random word of (seed, step, sub-sweep)
-  std::uint64_t poll_word = 0;               ///< the same for polls: of the whole round where polling is non-repeated
-  int sweeps = 16;                           ///< K
-  const std::uint8_t* polled_row = nullptr;  ///< non-repeated: 256 rows in [0, K), one for each random byte
-  std::int64_t drift = 0;                    ///< columns that a line moves over the length of the grid
-  std::int64_t phase = 0;                    ///< in [0, length)
-
-  std::uint32_t p_sand_16 = 0;  ///< chance * 65536
-  std::uint32_t p_bare_16 = 0;
-  bool lift_in_shadow = true;
-  bool oblique = false;
-  std::uint32_t row_fall = 0;       ///< fall of the shadow line per row, 1/256 slabs
-  std::uint32_t adjacent_fall = 0;  ///< to the next row
-  int warm_up = 0;                  ///< rows to read upwind of row 0 before the shadow is known
-  int wall_step = 0;                ///< slabs: bedrock standing higher than this over the ground before it is a wall
+  int warm_up = 0;  ///< rows to read upwind of row 0 before the shadow is known
 
   bool hop_by_height = false;
   const std::uint32_t* hop_table = nullptr;  ///< rows * 256 for each height; one entry if not hop_by_height
   int ring_rows = 0;                         ///< power of two, more than the longest hop
-  double inflow = 0;                         ///< slabs entering per line and sub-sweep
 };
 
 /// Counts of one strip in one sub-sweep.
@@ -96,8 +74,9 @@ struct Strip {
   SweepCounts counts;
   std::int64_t last_arrival = -1;        ///< no slab in the air comes down after this row
   alignas(64) Shadow line[strip_lines];  ///< height of the shadow line, 1/256 slabs
-  alignas(64) Shadow near[strip_lines];  ///< the same for the adjacent cell (oblique winds)
+  alignas(64) Lane upwind[strip_lines];  ///< height of the row before (oblique winds)
   alignas(64) Lane target[strip_lines];  ///< the row of the block in which the line is polled
+  Overhang<Lane>* overhang = nullptr;    ///< of each row; null where planes are not skewed
   Lane* ring = nullptr;                  ///< ring_rows x strip_lines, empty (0) between sub-sweeps
 };
 
@@ -113,7 +92,7 @@ struct SlidePlan {
   int diagonal_step = 3;
   bool diagonals = false;
   bool open = false;
-  std::uint8_t order[8] = {};  ///< edge classes (EdgeClass) in the order of this sub-sweep
+  const std::uint8_t* order = nullptr;  ///< edge classes in the order of this sub-sweep
 };
 
 /// A block's cells in some of its rows, which slide by themselves. Tiles are a part of the rules: they depend on the
@@ -124,25 +103,15 @@ struct SlideTile {
   int end_row = 0;
 };
 
-/// Edge classes: edges of one class share no cell.
-enum EdgeClass : std::uint8_t {
-  along_even,
-  along_odd,
-  across_even,
-  across_odd,
-  rising_even,  ///< diagonal (u, v) - (u + 1, v + 1), v even
-  rising_odd,
-  falling_even,  ///< diagonal (u, v) - (u - 1, v + 1), v even
-  falling_odd
-};
-
 template <typename Lane>
 struct SweepKernels {
   void (*convey)(const SweepPlan<Lane>&, Strip<Lane>&);          ///< rows 0 ... length - 1 of a strip's lines
+  void (*hand_over)(const SweepPlan<Lane>&, Strip<Lane>&);       ///< writes a strip's overhang
   void (*carry)(const SweepPlan<Lane>&, Strip<Lane>&);           ///< slabs still in the air go on over the torus edge
   void (*slide_tile)(const SlidePlan<Lane>&, const SlideTile&);  ///< all edges inside a tile
-  void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to the tile above it
+  void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to what lies above a tile
   void (*slide_column_seam)(const SlidePlan<Lane>&, int left, int right);  ///< edges between two blocks
+  void (*slide_corners)(const SlidePlan<Lane>&);  ///< skewed planes: edges between blocks over the torus edge
 };
 
 template <typename Lane>

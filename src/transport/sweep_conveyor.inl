@@ -21,12 +21,9 @@ struct Row {
 /// Sums of per-lane counts, flushed before they can overflow.
 template <typename Lane>
 struct LaneSums {
-  using Wide = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
   static constexpr int rows_before_flush = 120;
   alignas(64) Lane polls[strip_lines];
   alignas(64) Lane lifts[strip_lines];
-  alignas(64) Wide near_hops[strip_lines];
-  alignas(64) Wide far_hops[strip_lines];
 };
 
 template <typename Lane>
@@ -45,22 +42,19 @@ class Conveyor {
     strip_.counts = SweepCounts{};
     strip_.last_arrival = -1;
     std::memset(strip_.line, 0, sizeof strip_.line);
-    std::memset(strip_.near, 0, sizeof strip_.near);
-    if (plan_.open) {
-      walk_.start(0);
-    } else {
-      warm_up();
-    }
-    const int block = plan_.polled_row ? plan_.sweeps : plan_.sweeps / 2;
+    std::memset(strip_.upwind, 0, sizeof strip_.upwind);
+    if (!plan_.open) warm_up();
+    walk_.start(0);
+    const int block = poll_rows(plan_);
     int row_in_block = 0;
     for (int y = 0; y < plan_.layout.length; ++y) {
       if (row_in_block == 0) draw_polls(y, block);
-      read_row(y, y);
+      read_row(y);
       if (plan_.open) cross_open_edges(y);
       find_shadow();
       decide(y, static_cast<Lane>(row_in_block));
       if (strip_.counts.crowded) return;
-      write_row(y);
+      write_row();
       walk_.go_on();
       if (++row_in_block == block) row_in_block = 0;
     }
@@ -73,16 +67,14 @@ class Conveyor {
     walk_.start(plan_.layout.length);
     const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan_.layout.length;
     std::memset(strip_.target, 0xff, sizeof strip_.target);
-    int y = 0;
     for (std::int64_t flown = plan_.layout.length; flown <= strip_.last_arrival; ++flown) {
-      read_row(y, flown);
+      read_row(flown);
       find_shadow();
       if (flown > last_free_row) std::memset(row_.dark, 0xff, sizeof row_.dark);
       decide(flown, 0);
       if (strip_.counts.crowded) return;
-      add_row(y);
+      add_row();
       walk_.go_on();
-      if (++y == plan_.layout.length) y = 0;
     }
     flush_sums();
   }
@@ -96,21 +88,22 @@ class Conveyor {
   // --- lines and rows ---
 
   /// Reads the frozen surface. `flown` is the row counted on over the torus edge: it keys the random numbers.
-  void read_row(int y, std::int64_t flown) {
-    walk_.copy_in(row_.height, plan_.before, y);
+  void read_row(std::int64_t flown) {
+    walk_.copy_in(row_.height, plan_.before);
     // Rows of a column lie too far apart for the processor to foresee them.
-    const std::size_t ahead = walk_.first_cell(y + prefetch_rows < plan_.layout.length ? y + prefetch_rows : y);
-    for (int lane = 0; lane < strip_.lines; lane += 64 / static_cast<int>(sizeof(Lane))) {
-      __builtin_prefetch(plan_.before + ahead + lane);
-      __builtin_prefetch(plan_.after + ahead + lane, 1);
-    }
-    if (plan_.bedrock) walk_.copy_in(row_.bedrock, plan_.bedrock, y);
-    if (plan_.cover) walk_.copy_in(row_.cover, plan_.cover, y);
+    constexpr std::size_t line = 64 / sizeof(Lane);
+    walk_.for_runs(prefetch_rows, strip_.lines, [&](int, std::size_t cell, std::size_t count) {
+      for (std::size_t lane = 0; lane < count; lane += line) __builtin_prefetch(plan_.before + cell + lane);
+    });
+    walk_.for_runs(prefetch_rows, own_lanes(), [&](int, std::size_t cell, std::size_t count) {
+      for (std::size_t lane = 0; lane < count; lane += line) __builtin_prefetch(plan_.after + cell + lane, 1);
+    });
+    if (plan_.bedrock) walk_.copy_in(row_.bedrock, plan_.bedrock);
+    if (plan_.cover) walk_.copy_in(row_.cover, plan_.cover);
     row_word_ = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
-    y_ = y;
   }
 
-  void write_row(int y) {
+  void write_row() {
     const Lane* __restrict landed = row_.landed;
     const Lane* __restrict lifted = row_.lifted;
     Lane* __restrict height = row_.height;
@@ -121,15 +114,29 @@ class Conveyor {
       highest = now > highest ? now : highest;
     }
     if (highest > strip_.counts.highest) strip_.counts.highest = highest;
-    walk_.for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs(0, own_lanes(), [&](int lane, std::size_t cell, std::size_t count) {
       std::memcpy(plan_.after + cell, height + lane, count * sizeof(Lane));
     });
+    if (strip_.overhang) keep_overhang();
     if (most_landed_ > strip_.counts.most_landed) strip_.counts.most_landed = most_landed_;
   }
 
-  void add_row(int y) {
+  /// Lanes that stand in the strip's own places, or all where nothing is handed over.
+  int own_lanes() const {
+    if (!strip_.overhang) return strip_.lines;
+    return strip_.lines > walk_.lead() ? strip_.lines - walk_.lead() : 0;
+  }
+
+  void keep_overhang() {
+    Overhang<Lane>& overhang = strip_.overhang[walk_.y()];
+    overhang.lead = static_cast<Lane>(walk_.lead());
+    const int own = own_lanes();
+    for (int lane = own; lane < strip_.lines; ++lane) overhang.heights[lane - own] = row_.height[lane];
+  }
+
+  void add_row() {
     if (most_landed_ == 0) return;
-    walk_.for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs(0, strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
       Lane* __restrict out = plan_.after + cell;
       const Lane* __restrict landed = row_.landed + lane;
       ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<Lane>(out[i] + landed[i]);
@@ -141,13 +148,10 @@ class Conveyor {
 
   void warm_up() {
     walk_.start(-static_cast<std::int64_t>(plan_.warm_up));
-    int y = plan_.layout.length - plan_.warm_up % plan_.layout.length;
-    if (y == plan_.layout.length) y = 0;
     for (int left = plan_.warm_up; left > 0; --left) {
-      walk_.copy_in(row_.height, plan_.before, y);
+      walk_.copy_in(row_.height, plan_.before);
       find_shadow();
       walk_.go_on();
-      if (++y == plan_.layout.length) y = 0;
     }
   }
 
@@ -166,15 +170,17 @@ class Conveyor {
       }
       return;
     }
-    Shadow* __restrict near = strip_.near;
-    const Shadow near_fall = static_cast<Shadow>(plan_.adjacent_fall);
+    // To the next row the line falls less: it shades what lies lower than the cell upwind by more than these slabs.
+    Lane* __restrict upwind = strip_.upwind;
+    const Lane stands_clear = static_cast<Lane>(plan_.adjacent_fall >> fixed_point_bits);
     ERG_EACH(i, lanes_) {
       const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
-      const Shadow shade = line[i] > near[i] ? line[i] : near[i];
-      dark[i] = top < shade ? all_ones : Lane{0};
+      const Lane shaded_below = static_cast<Lane>((upwind[i] > stands_clear ? upwind[i] : stands_clear) - stands_clear);
+      dark[i] =
+          static_cast<Lane>((top < line[i] ? all_ones : Lane{0}) | (height[i] < shaded_below ? all_ones : Lane{0}));
       const Shadow higher = top > line[i] ? top : line[i];
       line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
-      near[i] = static_cast<Shadow>((top > near_fall ? top : near_fall) - near_fall);
+      upwind[i] = height[i];
     }
   }
 
@@ -188,7 +194,7 @@ class Conveyor {
     fill_random(strip_.target, key);
     Lane* __restrict target = strip_.target;
     const Lane mask = static_cast<Lane>(plan_.sweeps - 1);
-    if (plan_.polled_row) {
+    if (plan_.permuted) {
       for (int i = 0; i < strip_.lines; ++i) target[i] = plan_.polled_row[target[i]];
     } else {
       ERG_EACH(i, lanes_) target[i] = static_cast<Lane>(target[i] & mask);
@@ -405,19 +411,22 @@ class Conveyor {
     const Lane far_below = static_cast<Lane>(rows_256 & 0xff);  // of 256: how often a hop is one row longer
     const Lane* __restrict leaving = row_.leaving;
     Lane* __restrict near_ring = strip_.ring + ring_start(flown + near_rows);
-    typename LaneSums<Lane>::Wide* __restrict near_sum = sums_.near_hops;
+    // A row's slabs: 16 bits hold strip_lines * (narrow_arrivals + 1).
+    using Sum = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
+    Sum all = 0;
     if (far_below == 0) {
       ERG_EACH(i, lanes_) {
         near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
-        near_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(near_sum[i] + leaving[i]);
+        all = static_cast<Sum>(all + leaving[i]);
       }
+      strip_.counts.rows_flown += static_cast<std::int64_t>(all) * near_rows;
       expect(flown + near_rows);
       return;
     }
     fill_next_random<Draw::hop>();
     const Lane* __restrict random = row_.random;
     Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
-    typename LaneSums<Lane>::Wide* __restrict far_sum = sums_.far_hops;
+    Sum all_far = 0;
     const Lane near_below = static_cast<Lane>(256 - far_below);
     ERG_EACH(i, lanes_) {
       // As hop_rows: one row more where the random byte carries the fraction over.
@@ -425,9 +434,10 @@ class Conveyor {
       const Lane near = static_cast<Lane>(leaving[i] - far);
       near_ring[i] = static_cast<Lane>(near_ring[i] + near);
       far_ring[i] = static_cast<Lane>(far_ring[i] + far);
-      near_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(near_sum[i] + near);
-      far_sum[i] = static_cast<typename LaneSums<Lane>::Wide>(far_sum[i] + far);
+      all = static_cast<Sum>(all + leaving[i]);
+      all_far = static_cast<Sum>(all_far + far);
     }
+    strip_.counts.rows_flown += static_cast<std::int64_t>(all) * near_rows + all_far;
     expect(flown + near_rows + 1);
   }
 
@@ -461,12 +471,10 @@ class Conveyor {
   /// Algorithm 7 of Cimbura 2022: where bedrock stands too steeply in the next row, all that flies over here drops
   /// here.
   void meet_walls(std::int64_t flown) {
-    if (plan_.open && y_ == plan_.layout.length - 1) return;
-    const int next = y_ + 1 == plan_.layout.length ? 0 : y_ + 1;
-    if (!plan_.wall_rows[next]) return;
     LineWalk next_row = walk_;
     next_row.go_on();
-    next_row.copy_in(row_.next_bedrock, plan_.bedrock, next);
+    if (!plan_.wall_rows[next_row.y()] || (plan_.open && next_row.y() == 0)) return;
+    next_row.copy_in(row_.next_bedrock, plan_.bedrock);
     const bool leaves_sideways = plan_.open && next_row.stepped();
     for (int i = 0; i < strip_.lines; ++i) {
       if (row_.next_bedrock[i] <= row_.height[i] + plan_.wall_step) continue;
@@ -506,7 +514,7 @@ class Conveyor {
     if (lane >= strip_.lines) return;
     drop_out(lane, y);
     strip_.line[lane] = 0;
-    strip_.near[lane] = 0;
+    strip_.upwind[lane] = 0;
     enter(lane, y);
   }
 
@@ -548,17 +556,9 @@ class Conveyor {
   // --- counts ---
 
   void flush_sums() {
-    std::int64_t near = 0;
-    std::int64_t far = 0;
     for (int i = 0; i < lanes_; ++i) {
       strip_.counts.polls += sums_.polls[i];
       strip_.counts.lifts += sums_.lifts[i];
-      near += sums_.near_hops[i];
-      far += sums_.far_hops[i];
-    }
-    if (!plan_.hop_by_height) {
-      const std::int64_t rows = plan_.hop_table[0] >> fixed_point_bits;
-      strip_.counts.rows_flown += near * rows + far * (rows + 1);
     }
     std::memset(&sums_, 0, sizeof sums_);
     rows_summed_ = 0;
@@ -571,7 +571,6 @@ class Conveyor {
   const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
   LineWalk walk_;
   std::uint64_t row_word_ = 0;
-  int y_ = 0;
   std::uint32_t most_landed_ = 0;
   bool any_leaving_ = false;
   Row<Lane> row_;

@@ -26,6 +26,20 @@ void convey(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
 }
 
 template <typename Lane>
+void hand_over(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
+  std::size_t start[most_lead];  // of the places after the strip's own
+  for (int k = 0; k < most_lead; ++k) {
+    start[k] = plan.layout.at_place(plan.layout.wrapped(strip.first + strip.lines + k), 0);
+  }
+  for (int y = 0; y < plan.layout.length; ++y) {
+    const Overhang<Lane>& overhang = strip.overhang[y];
+    Lane* row = plan.after + static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.layout.pitch);
+    const int skipped = overhang.lead > strip.lines ? overhang.lead - strip.lines : 0;
+    for (int k = skipped; k < overhang.lead; ++k) row[start[k]] = overhang.heights[k - skipped];
+  }
+}
+
+template <typename Lane>
 void carry(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
   Conveyor<Lane>(plan, strip).carry();
 }
@@ -45,6 +59,11 @@ void slide_column_seam(const SlidePlan<Lane>& plan, int left, int right) {
   Slider<Lane>(plan).column_seam(left, right);
 }
 
+template <typename Lane>
+void slide_corners(const SlidePlan<Lane>& plan) {
+  Slider<Lane>(plan).corners();
+}
+
 #undef ERG_EACH
 
 }  // namespace
@@ -52,8 +71,8 @@ void slide_column_seam(const SlidePlan<Lane>& plan, int left, int right) {
 extern const SweepKernels<std::uint8_t> narrow_kernels;
 extern const SweepKernels<std::uint16_t> wide_kernels;
 template <typename Lane>
-constexpr SweepKernels<Lane> all_kernels{convey<Lane>, carry<Lane>, slide_tile<Lane>, slide_row_seam<Lane>,
-                                         slide_column_seam<Lane>};
+constexpr SweepKernels<Lane> all_kernels{convey<Lane>,         hand_over<Lane>,         carry<Lane>,       slide_tile<Lane>,
+                                         slide_row_seam<Lane>, slide_column_seam<Lane>, slide_corners<Lane>};
 const SweepKernels<std::uint8_t> narrow_kernels = all_kernels<std::uint8_t>;
 const SweepKernels<std::uint16_t> wide_kernels = all_kernels<std::uint16_t>;
 

@@ -13,40 +13,57 @@ class LineWalk {
   void start(std::int64_t row) {
     const std::int64_t offset = line_offset(row, drift_, phase_, layout_.length);
     rest_ = row * drift_ + phase_ - offset * layout_.length;
-    const std::int64_t column = (first_line_ + offset) % layout_.width;
-    column_ = static_cast<int>(column < 0 ? column + layout_.width : column);
-    block_ = column_ / layout_.block_columns;
-    in_block_ = column_ - block_ * layout_.block_columns;
+    const std::int64_t row_in_grid = row % layout_.length;
+    y_ = static_cast<int>(row_in_grid < 0 ? row_in_grid + layout_.length : row_in_grid);
+    column_ = layout_.wrapped(static_cast<int>((first_line_ + offset) % layout_.width));
     stepped_ = false;
+    find_place();
+    lead_ = row == y_ ? offset - skew_ : 0;
   }
 
   /// Goes on to the next row.
   void go_on() {
     rest_ += drift_;
     stepped_ = rest_ >= layout_.length;
-    if (!stepped_) return;
-    rest_ -= layout_.length;
-    if (++column_ == layout_.width) column_ = 0;
-    if (++in_block_ < layout_.columns_of(block_)) return;
-    in_block_ = 0;
-    if (++block_ == layout_.blocks) block_ = 0;
+    if (stepped_) {
+      rest_ -= layout_.length;
+      if (++column_ == layout_.width) column_ = 0;
+    }
+    if (++y_ == layout_.length) {
+      y_ = 0;
+      lead_ = 0;
+      find_place();
+      return;
+    }
+    if (!stepped_ && layout_.lean == 0) return;
+    const int skew = layout_.skew(y_);
+    const int moved = (stepped_ ? 1 : 0) - (skew - skew_);
+    skew_ = skew;
+    lead_ += moved;
+    in_block_ += moved;
+    if (in_block_ < 0 || in_block_ >= layout_.columns_of(block_)) find_place();
   }
+
+  /// The row of the grid.
+  int y() const { return y_; }
 
   /// Column of the first line.
   int column() const { return column_; }
+  /// Places from line i's own, i, to the one where it stands: 0 to most_lead on skewed planes, until the lines leave
+  /// the grid.
+  int lead() const { return lead_; }
   /// Whether the lines have moved one column sideways at this row.
   bool stepped() const { return stepped_; }
-  /// Where the first line's cell in row y lies in a plane.
-  std::size_t first_cell(int y) const { return layout_.at(block_, in_block_, y); }
-
-  /// Calls visit(first lane, cell of a plane, lanes) for each run of lanes that lie side by side in row y of a plane.
+  /// Calls visit(first lane, cell of a plane, lanes) for each run of the first lanes that lie side by side in a plane.
+  /// With `ahead`, about where they will lie so many rows further on, or where they do now if the grid ends before.
   template <typename Visit>
-  void for_runs(int y, const Visit& visit) const {
+  void for_runs(int ahead, int lanes_wanted, const Visit& visit) const {
+    const int y = y_ + ahead < layout_.length ? y_ + ahead : y_;
     int block = block_;
     int column = in_block_;
-    for (int lane = 0; lane < lines_; column = 0) {
+    for (int lane = 0; lane < lanes_wanted; column = 0) {
       const int in_block = layout_.columns_of(block) - column;
-      const int left = lines_ - lane;
+      const int left = lanes_wanted - lane;
       const int lanes = in_block < left ? in_block : left;
       visit(lane, layout_.at(block, column, y), static_cast<std::size_t>(lanes));
       lane += lanes;
@@ -55,21 +72,31 @@ class LineWalk {
   }
 
   template <typename T>
-  void copy_in(T* lanes, const T* plane, int y) const {
-    for_runs(y, [&](int lane, std::size_t cell, std::size_t count) {
+  void copy_in(T* lanes, const T* plane) const {
+    for_runs(0, lines_, [&](int lane, std::size_t cell, std::size_t count) {
       std::memcpy(lanes + lane, plane + cell, count * sizeof(T));
     });
   }
 
  private:
+  void find_place() {
+    skew_ = layout_.skew(y_);
+    const int place = layout_.wrapped(column_ - skew_);
+    block_ = layout_.block_of(place);
+    in_block_ = place - block_ * layout_.block_columns;
+  }
+
   PlaneLayout layout_;
   std::int64_t drift_;
   std::int64_t phase_;
   int first_line_;
   int lines_;
   std::int64_t rest_ = 0;  // (row * drift + phase) mod length
+  int y_ = 0;
+  int skew_ = 0;  // of row y
+  int lead_ = 0;
   int column_ = 0;
-  int block_ = 0;     // of the column
-  int in_block_ = 0;  // the column's place in its block
+  int block_ = 0;     // of the column's place
+  int in_block_ = 0;  // where in that block
   bool stepped_ = false;
 };

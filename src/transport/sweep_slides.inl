@@ -1,7 +1,6 @@
 // Part of sweep_kernels.inl: slopes that are too steep slide, edge by edge. Edges of one class share no cell, so their
 // order does not matter; the classes come in an order drawn anew each sub-sweep, which removes any bias in direction.
 
-
 /// One slab down each edge between lanes of two rows that is steeper than what stands.
 template <typename Lane, bool relief, bool varied>
 void slide_lanes(Lane* __restrict a, Lane* __restrict b, const Lane* bedrock_a, const Lane* bedrock_b,
@@ -80,49 +79,124 @@ class Slider {
       }
       const int odd = edges == along_odd || edges == rising_odd || edges == falling_odd ? 1 : 0;
       for (int y = tile.first_row + ((tile.first_row & 1) != odd ? 1 : 0); y + 1 < tile.end_row; y += 2) {
-        between_rows(y, y + 1, tile, edges);
+        to_next_row(tile.block, y, edges);
       }
     }
   }
 
   void row_seam(const SlideTile& below) const {
-    const int upper = below.end_row == plan_.layout.length ? 0 : below.end_row;
-    between_rows(below.end_row - 1, upper, below, along_even);
+    above_tile(below, along_even);
     if (!plan_.diagonals) return;
-    between_rows(below.end_row - 1, upper, below, rising_even);
-    between_rows(below.end_row - 1, upper, below, falling_even);
+    above_tile(below, rising_even);
+    above_tile(below, falling_even);
   }
 
-  void column_seam(int left_block, int right_block) const {
+  /// Each class of edges that cross from one block into the next, row after row. Where rows are skewed against each
+  /// other those along the wind do so too.
+  void column_seam(int left, int right) const {
     const PlaneLayout& layout = plan_.layout;
-    const std::size_t left = layout.at(left_block, layout.columns_of(left_block) - 1, 0);
-    const std::size_t right = layout.at(right_block, 0, 0);
-    const auto edges = [&](std::size_t from, std::size_t to, int rows_up, const Lane* steps, int step) {
-      for (int y = 0; y < plan_.layout.length; ++y) {
-        const int upper = y + rows_up < plan_.layout.length ? y + rows_up : 0;
-        if (upper < y && plan_.open) continue;
-        run(from + row(y), to + row(upper), 1, steps, step);
+    const int last = layout.columns_of(left) - 1;
+    for (int y = 0; y < layout.length; ++y) {
+      run(layout.at(left, last, y), layout.at(right, 0, y), 1, plan_.steps, plan_.step);
+    }
+    const int rows = plan_.open ? layout.length - 1 : layout.length;
+    for (int y = 0; y < rows && layout.lean != 0; ++y) {
+      if (skew_step(y) != 0) run(layout.at(right, 0, y), layout.at(left, last, y + 1), 1, plan_.steps, plan_.step);
+    }
+    if (!plan_.diagonals || layout.length < 2) return;
+    const int own_rows = layout.lean == 0 ? rows : layout.length - 1;
+    for (const bool rising : {true, false}) {
+      for (int y = 0; y < own_rows; ++y) diagonals_across(left, right, y, rising);
+    }
+  }
+
+  /// What is left of the column seams of skewed planes: diagonals over the torus edge, whose upper cells may belong to
+  /// any other seam.
+  void corners() const {
+    for (const bool rising : {true, false}) {
+      for (int block = 0; block < plan_.layout.blocks; ++block) {
+        const int right = block + 1 == plan_.layout.blocks ? 0 : block + 1;
+        diagonals_across(block, right, plan_.layout.length - 1, rising);
       }
-    };
-    edges(left, right, 0, plan_.steps, plan_.step);
-    if (!plan_.diagonals || plan_.layout.length < 2) return;
-    edges(left, right, 1, plan_.diagonal_steps, plan_.diagonal_step);
-    edges(right, left, 1, plan_.diagonal_steps, plan_.diagonal_step);
+    }
   }
 
  private:
-  std::size_t row(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(plan_.layout.pitch); }
+  /// Places by which the row above is shifted to the left: the cell above place p stands in place p - skew_step. The
+  /// edge of the torus is left out.
+  int skew_step(int y) const {
+    return y + 1 < plan_.layout.length ? plan_.layout.skew(y + 1) - plan_.layout.skew(y) : 0;
+  }
 
-  void between_rows(int lower, int upper, const SlideTile& tile, EdgeClass edges) const {
-    const std::size_t a = plan_.layout.at(tile.block, 0, lower);
-    const std::size_t b = plan_.layout.at(tile.block, 0, upper);
-    const int columns = plan_.layout.columns_of(tile.block);
-    if (edges == along_even || edges == along_odd) {
-      run(a, b, columns, plan_.steps, plan_.step);
-      return;
+  /// Columns from the lower to the upper cell of an edge.
+  static int columns_over(EdgeClass edges) {
+    if (!is_diagonal(edges)) return 0;
+    return edges == rising_even || edges == rising_odd ? 1 : -1;
+  }
+
+  /// Edges of one class between row y of a block and the row above it.
+  void to_next_row(int block, int y, EdgeClass edges) const {
+    const int shift = columns_over(edges) - skew_step(y);
+    const int left_out = shift < 0 ? -shift : shift;
+    run(plan_.layout.at(block, shift < 0 ? -shift : 0, y), plan_.layout.at(block, shift > 0 ? shift : 0, y + 1),
+        plan_.layout.columns_of(block) - left_out, is_diagonal(edges));
+  }
+
+  void above_tile(const SlideTile& below, EdgeClass edges) const {
+    if (below.end_row < plan_.layout.length) {
+      to_next_row(below.block, below.end_row - 1, edges);
+    } else {
+      over_torus_edge(below.block, edges);
     }
-    const std::size_t rising = edges == rising_even || edges == rising_odd ? 1 : 0;
-    run(a + 1 - rising, b + rising, columns - 1, plan_.diagonal_steps, plan_.diagonal_step);
+  }
+
+  /// Edges from a block's last row to row 0. What lies above the block may stand in other blocks.
+  void over_torus_edge(int block, EdgeClass edges) const {
+    const PlaneLayout& layout = plan_.layout;
+    const int over = columns_over(edges);
+    int lane = over < 0 ? 1 : 0;
+    const int end = layout.columns_of(block) - (over > 0 ? 1 : 0);
+    while (lane < end) {
+      const int place = place_over_torus_edge(block, lane + over);
+      const int upper_block = layout.block_of(place);
+      const int in_upper = place - upper_block * layout.block_columns;
+      const int side_by_side = layout.columns_of(upper_block) - in_upper;
+      const int lanes = side_by_side < end - lane ? side_by_side : end - lane;
+      run(layout.at(block, lane, layout.length - 1), layout.at(upper_block, in_upper, 0), lanes, is_diagonal(edges));
+      lane += lanes;
+    }
+  }
+
+  /// The place in row 0 that lies above a block's column of the last row.
+  int place_over_torus_edge(int block, int column) const {
+    const PlaneLayout& layout = plan_.layout;
+    return layout.wrapped(block * layout.block_columns + column + layout.skew(layout.length - 1) - layout.skew(0));
+  }
+
+  /// The diagonal edges above row y that cross from one block to the next.
+  void diagonals_across(int left, int right, int y, bool rising) const {
+    const PlaneLayout& layout = plan_.layout;
+    const int last = layout.columns_of(left) - 1;
+    const auto edge = [&](std::size_t lower, std::size_t upper) { run(lower, upper, 1, true); };
+    if (y + 1 == layout.length) {
+      const int place = rising ? place_over_torus_edge(right, 0) : place_over_torus_edge(left, last);
+      const std::size_t upper = layout.at_place(place, 0);
+      edge(rising ? layout.at(left, last, y) : layout.at(right, 0, y), upper);
+    } else if (skew_step(y) == 0) {
+      edge(rising ? layout.at(left, last, y) : layout.at(right, 0, y),
+           rising ? layout.at(right, 0, y + 1) : layout.at(left, last, y + 1));
+    } else if (!rising) {
+      edge(layout.at(right, 0, y), layout.at(left, last - 1, y + 1));
+      edge(layout.at(right, 1, y), layout.at(left, last, y + 1));
+    }
+  }
+
+  void run(std::size_t a, std::size_t b, int lanes, bool diagonal) const {
+    if (diagonal) {
+      run(a, b, lanes, plan_.diagonal_steps, plan_.diagonal_step);
+    } else {
+      run(a, b, lanes, plan_.steps, plan_.step);
+    }
   }
 
   /// Edges between cells a, a + 1, ... and b, b + 1, ...

@@ -125,8 +125,8 @@ std::optional<fs::path> FileBrowser::draw_rows() {
 
 void FileBrowser::draw_entries() {
   const float below = (asked_about_.empty() ? 2.2f : 3.4f) * ImGui::GetFrameHeightWithSpacing();
-  constexpr ImGuiTableFlags flags =
-      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter | ImGuiTableFlags_SizingStretchProp;
+  constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter |
+                                    ImGuiTableFlags_SizingStretchProp;
   if (!ImGui::BeginTable("files", 3, flags, {0, -below})) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("name", 0, 4);

@@ -28,7 +28,9 @@ WindNow Regime::at(std::int64_t step) const {
     ++season;
   }
   const double time = season->steps > 1 ? static_cast<double>(rest) / static_cast<double>(season->steps - 1) : 0.0;
-  return {season->bearing, std::lerp(season->first, season->last, season->curve.at(time))};
+  WindNow now{season->bearing, std::lerp(season->first, season->last, season->curve.at(time))};
+  now.snowfall = season->snowfall;
+  return now;
 }
 
 }  // namespace erg

@@ -16,19 +16,24 @@ struct Season {
   double last = 5;
   std::int64_t steps = 1;
   BezierCurve curve;
+  double snowfall = 0;  ///< mm of snow an hour, for snow models
   bool operator==(const Season&) const = default;
 };
 
-/// The wind of one time step.
+/// The wind of one time step, and what comes with it.
 struct WindNow {
   double bearing = 270;
   double strength = 5;
+  double temperature = -10;  ///< deg C
+  double snowfall = 0;       ///< mm of snow an hour
   bool operator==(const WindNow&) const = default;
 };
 
 /// Smallest and largest strength that a season may have (cells a hop, or m/s).
 inline constexpr double smallest_strength = 0.1;
 inline constexpr double largest_strength = 8192;
+/// The heaviest snowfall that a season may have, mm of snow an hour.
+inline constexpr double heaviest_snowfall = 200;
 
 /// A repeating list of seasons, never empty. One season is a constant wind (or one that repeats its curve).
 struct Regime {
@@ -36,7 +41,7 @@ struct Regime {
 
   /// A wind that never changes.
   static Regime constant(double bearing, double strength);
-  /// True for one season whose strength does not change: the short form in a config.
+  /// True for one season whose strength does not change.
   bool is_constant() const;
   /// Steps until the list repeats.
   std::int64_t cycle() const;

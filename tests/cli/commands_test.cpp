@@ -21,10 +21,11 @@ TEST(Commands, ModelsListsEveryModelAndModelItsParameters) {
 
 TEST(Commands, ManualPagesAreWhatTheProgramPrints) {
   const ScratchFolder folder;
-  for (const std::string key : {"werner", "momiji", "bishop"}) {
+  for (const std::string key : {"werner", "momiji", "bishop", "grains"}) {
     const Ended page = run_erg(folder, {"model", key, "--markdown"});
     ASSERT_EQ(page.exit_code, 0);
-    EXPECT_NE(page.output.find("| p_sand | 0.6 | 0 to 1 |"), std::string::npos) << page.output;
+    const char* row = key == "grains" ? "| splash | 4 | 0 to 100 |" : "| p_sand | 0.6 | 0 to 1 |";
+    EXPECT_NE(page.output.find(row), std::string::npos) << page.output;
     const std::string committed = read_text(std::string(ERG_SOURCE_DIR) + "/docs/models/" + key + ".md");
     EXPECT_NE(committed.find(page.output), std::string::npos)
         << "docs/models/" << key << ".md is out of date: run `erg model " << key << " --markdown`";

@@ -1,6 +1,8 @@
 // `erg render` and `erg run --frames` as a person uses them.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "io/image.h"
 #include "program.h"
 
@@ -116,9 +118,52 @@ TEST(Film, FramesAreDrawnAsTheRunGoesOn) {
     EXPECT_EQ(png_header(folder.file(std::string("out/small-frames/") + frame + ".png")).width, 64) << frame;
   }
   EXPECT_FALSE(std::filesystem::exists(folder.file("out/small-frames/000003.png")));
-  // A film, or the word for why there is none.
-  const bool film = std::filesystem::exists(folder.file("out/small.mp4"));
-  EXPECT_NE(film, ended.errors.find("apt-get install ffmpeg") != std::string::npos) << ended.errors;
+}
+
+// Sets a variable of the environment for a while.
+class Surroundings {
+ public:
+  Surroundings(const char* name, const char* value) : name_(name), before_(std::getenv(name)) {
+    setenv(name, value, 1);
+  }
+  ~Surroundings() { setenv(name_, before_.c_str(), 1); }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+ private:
+  const char* name_;
+  std::string before_;
+};
+
+Ended film(const ScratchFolder& folder) {
+  const std::string config = folder.write("small.json", small_config(8));
+  return run_erg(folder, {"run", config, "--frames", "2", "--size", "65x47", "--supersample", "1", "--quiet"});
+}
+
+TEST(Film, FramesAreJoinedByFfmpeg) {
+  if (std::system("command -v ffmpeg > /dev/null") != 0) GTEST_SKIP() << "ffmpeg is not installed: no film to look at";
+  const ScratchFolder folder;
+  const Ended ended = film(folder);
+  ASSERT_EQ(ended.exit_code, 0) << ended.errors;
+  EXPECT_EQ(ended.errors.find("No film"), std::string::npos) << ended.errors;
+  const std::string movie = read_text(folder.file("out/small.mp4"));
+  ASSERT_GT(movie.size(), 500u);
+  EXPECT_EQ(movie.substr(4, 4), "ftyp") << "how an MP4 file begins";
+  // The box `stts` counts the frames: five, of one length. Its fields: version, entries, frames, length.
+  const std::size_t times = movie.find("stts");
+  ASSERT_NE(times, std::string::npos);
+  EXPECT_EQ(movie.substr(times + 8, 4), std::string("\0\0\0\1", 4));
+  EXPECT_EQ(movie.substr(times + 12, 4), std::string("\0\0\0\5", 4));
+}
+
+TEST(Film, WithoutFfmpegTheFramesStayAndSayWhatIsMissing) {
+  const ScratchFolder folder;
+  const Surroundings nothing("PATH", "/nonexistent");
+  const Ended ended = film(folder);
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_NE(ended.errors.find("apt-get install ffmpeg"), std::string::npos) << ended.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder.file("out/small-frames/000004.png")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out/small.mp4")));
 }
 
 }  // namespace

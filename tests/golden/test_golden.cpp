@@ -16,6 +16,7 @@ struct Golden {
   std::vector<std::string> settings;
   std::string serial;
   std::string cpu;
+  int steps = 40;
 };
 
 std::vector<Golden> golden_runs() {
@@ -31,7 +32,22 @@ std::vector<Golden> golden_runs() {
        {"model=werner", "grid.boundary=open", "grid.inflow=3", "parameters.neighbours=8"},
        "bb18bff29a4ffcb3",
        "60755298a3b484a6"},
+      {"nield_baas",
+       {"model=nield_baas", "parameters.steps_per_year=10", "parameters.spreading=true"},
+       "7b3cf6708da8868b",
+       "fff4b1be5358d0a3"},
+      {"snow_packing", {"model=snow_packing", "wind.strength=12"}, "abc1dd1dc3271383", "09e60403fb47633a"},
+      {"snow_sintering",
+       {"model=snow_sintering", "grid.cell_size=0.1", "scene.sand=40", "wind.strength=16", "wind.bearing=243",
+        "parameters.start_age=6", "parameters.snowfall=20"},
+       "16a68fa5fb968f5c",
+       "16a68fa5fb968f5c"},
       {"uneven", {"model=bishop", "scene.kind=uneven", "scene.height=6"}, "966f55000b35ea5b", "8f9be66b3cbea1ea"},
+      {"grains",
+       {"model=grains", "grid.cell_size=0.01", "scene.sand=60", "wind.strength=10", "wind.bearing=255"},
+       "8dd64539ac9e32a7",
+       "8dd64539ac9e32a7",
+       4},
   };
 }
 
@@ -43,7 +59,7 @@ std::string hash_after(const Golden& golden, const std::string& executor, int th
     set_from_text(config, setting);
   }
   Simulation simulation(config);
-  for (int step = 0; step < 40; ++step) simulation.step();
+  for (int step = 0; step < golden.steps; ++step) simulation.step();
   std::ostringstream text;
   text << std::hex << std::setfill('0') << std::setw(16) << state_hash(simulation.terrain());
   return text.str();

@@ -114,6 +114,35 @@ TEST(Exact, NothingStandsSteeperThanRepose) {
   }
 }
 
+TEST(Exact, NothingStandsSteeperThanReposeOnSkewedPlanes) {
+  // Two blocks of columns whose rows are shifted against each other: every edge of the torus must still be looked at.
+  for (const double bearing : {270.0, 248.0, 225.0}) {
+    Terrain terrain(Extent{270, 290}, 1, 1.0 / 3);
+    for (std::size_t cell = 0; cell < terrain.mobile().size(); ++cell) {
+      terrain.edit_mobile()[cell] = static_cast<std::int32_t>(random_below({5, 0}, 0, cell, 0, 12));
+    }
+    terrain.open_ledger();
+    CoverField cover(terrain.extent(), 255);
+    SlabLaw law;
+    law.cover = &cover;
+    law.neighbours = 8;
+    const auto executor = make_executor({.name = "cpu", .threads = 2});
+    for (std::uint64_t step = 0; step < 12; ++step) executor->step(terrain, law, {bearing, 5}, {3, step});
+    executor->settle(terrain);
+    const Grid<std::int32_t>& mobile = terrain.mobile();
+    for (int y = 0; y < terrain.ny(); ++y) {
+      for (int x = 0; x < terrain.nx(); ++x) {
+        const std::int32_t here = mobile(x, y);
+        ASSERT_LE(std::abs(here - mobile.wrapped(x + 1, y)), law.bare.straight) << x << ", " << y << ", " << bearing;
+        ASSERT_LE(std::abs(here - mobile.wrapped(x, y + 1)), law.bare.straight) << x << ", " << y << ", " << bearing;
+        ASSERT_LE(std::abs(here - mobile.wrapped(x + 1, y + 1)), law.bare.diagonal) << x << ", " << y;
+        ASSERT_LE(std::abs(here - mobile.wrapped(x - 1, y + 1)), law.bare.diagonal) << x << ", " << y;
+      }
+    }
+    EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
+  }
+}
+
 TEST(Exact, ATallConeSlidesToTheSameSlopeInEveryAzimuthWithEightNeighbours) {
   Terrain terrain(Extent{161, 161}, 1, 0.1);
   for (int y = 0; y < 161; ++y) {

@@ -17,8 +17,14 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   for (const ModelType& model : catalogue()) {
     const std::string key = model.info.key;
+    if (!World{.model = key}.moves_slabs()) continue;  // test_grains.cpp
     all.push_back({key, {.model = key, .extent = {150, 90}}});
     all.push_back({key + " oblique", {.model = key, .extent = {90, 150}, .wind = {237, 4.5}}});
+    all.push_back(
+        {key + " oblique, wide enough for blocks of columns",
+         {.model = key, .extent = {270, 330}, .wind = {150, 4.5}, .settings = {{"neighbours", std::string("8")}}},
+         true,
+         5});
     all.push_back({key + " rocks", {.model = key, .extent = {131, 77}, .wind = {250, 6}}, true});
     all.push_back(
         {key + " nonrepeated",

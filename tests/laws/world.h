@@ -1,6 +1,7 @@
 // Small worlds for the laws: a terrain, a law and a wind, run on any executor.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -37,7 +38,7 @@ struct World {
 
   /// Sand strewn unevenly (0 to 2 * sand, keyed by the cell), on level bedrock.
   Terrain strewn() const {
-    Terrain terrain(extent, 1.0, quantum(), boundary);
+    Terrain terrain(extent, cell_size(), quantum(), boundary);
     terrain.set_inflow(inflow);
     Grid<std::int32_t>& mobile = terrain.edit_mobile();
     for (std::size_t cell = 0; cell < mobile.size(); ++cell) {
@@ -50,10 +51,25 @@ struct World {
 
   ParameterValues values() const {
     ParameterValues values(find_model(model).parameters);
-    for (const auto& [key, value] : settings) values.set(key, value);
+    for (const auto& [key, value] : settings) {
+      if (values.find(key) != nullptr) values.set(key, value);  // no model has all of them
+    }
     return values;
   }
-  double quantum() const { return values().real("slab_height"); }
+  /// False where the model does not know one of the settings.
+  bool applies() const {
+    const ParameterValues declared(find_model(model).parameters);
+    return std::ranges::all_of(settings, [&](const auto& one) { return declared.find(one.first) != nullptr; });
+  }
+  bool moves_slabs() const { return values().find("slab_height") != nullptr; }
+  double quantum() const { return find_model(model).make(values())->quantum(); }
+  /// Grains make ripples of centimetres.
+  double cell_size() const { return moves_slabs() ? 1.0 : 0.01; }
+  /// The wind as the model has it: cells a hop stand for m/s at a height of 10 m, within what nature has.
+  WindNow model_wind() const {
+    if (model == "snow_sintering") return {wind.bearing, 14};
+    return moves_slabs() ? wind : WindNow{wind.bearing, std::clamp(1.6 * wind.strength, 8.0, 12.0)};
+  }
 
   /// Runs `steps` steps and settles; the sum of what they did.
   StepReport run(Terrain& terrain, const ExecutorOptions& options, int steps, int first_step = 0) const {
@@ -62,9 +78,11 @@ struct World {
   }
   StepReport run(Terrain& terrain, Executor& executor, int steps, int first_step = 0) const {
     const auto made = find_model(model).make(values());
+    made->prepare({.seed = seed});
+    made->begin(terrain);
     StepReport total;
     for (int step = first_step; step < first_step + steps; ++step) {
-      total += made->step(terrain, wind, {seed, static_cast<std::uint64_t>(step)}, executor);
+      total += made->step(terrain, model_wind(), {seed, static_cast<std::uint64_t>(step)}, executor);
     }
     executor.settle(terrain);
     return total;

@@ -244,15 +244,94 @@ TEST_F(Pictures, FarLandHasFewerTriangles) {
   EXPECT_GT(far, 0);
 }
 
-TEST_F(Pictures, LargeGridsAreDrawnInBlocks) {
+TEST_F(Pictures, LargeGridsAreDrawnInBlocksInAHurry) {
   const Terrain terrain({300, 200}, 1.0, slab);
   RenderEffort effort;
   effort.largest_side = 128;
+  effort.tiled = false;
   renderer_.set_effort(effort);
   const Picture picture = top_view(view_of(terrain), values("elevation"), 1);
   ASSERT_EQ(picture.notes.size(), 1u);
   EXPECT_NE(picture.notes[0].find("3 x 3"), std::string::npos) << picture.notes[0];
   EXPECT_EQ(renderer_.uploaded_texels(), 100 * 67);
+}
+
+// Four ridges side by side.
+Terrain long_land() {
+  const Terrain part = ridges();
+  Terrain terrain({2 * side, 64}, 1.0, slab);
+  for (int y = 0; y < terrain.ny(); ++y) {
+    for (int x = 0; x < terrain.nx(); ++x) terrain.edit_mobile()(x, y) = part.mobile()(x % side, y);
+  }
+  return terrain;
+}
+
+TEST_F(Pictures, ALandLargerThanATextureIsCutIntoSheetsThatDoNotShow) {
+  const Terrain terrain = long_land();
+  Look look;
+  look.legend = false;
+  RenderEffort effort;
+  effort.largest_map = 2 * side;  // one texel a cell, cut or not
+  for (const std::string camera : {"top", "block"}) {
+    const auto draw = [&](int largest_side) {
+      effort.largest_side = largest_side;
+      renderer_.set_effort(effort);
+      const Camera stands = camera_preset(camera, Renderer::land_of(view_of(terrain), look), 2);
+      return renderer_.draw(view_of(terrain), look, stands, {384, 192, 1}).opaque();
+    };
+    const RgbImage whole = draw(2 * side);
+    const std::int64_t before = renderer_.uploaded_texels();
+    const RgbImage cut = draw(128);
+    // Three sheets of 64 cells, each with 20 more on every side.
+    EXPECT_EQ(renderer_.uploaded_texels() - before, 3 * 104 * 104) << camera;
+    const Difference apart = difference(whole, cut);
+    EXPECT_LT(apart.mean, 0.3) << camera;
+    EXPECT_LT(apart.largest, 12) << camera;
+  }
+}
+
+TEST_F(Pictures, FarSheetsAreCoarser) {
+  const Terrain terrain = long_land();
+  RenderEffort effort;
+  effort.largest_side = 128;
+  renderer_.set_effort(effort);
+  const Look look;
+  Camera camera{.target = {10, 32, 2}, .bearing = 270, .altitude = 30, .distance = 40};
+  renderer_.draw(view_of(terrain), look, camera, {64, 48, 1});
+  const std::int64_t near = renderer_.uploaded_texels();
+  EXPECT_LT(near, 3 * 104 * 104) << "the last sheet is 120 m away, where a pixel is larger than two cells";
+  camera.distance = 1000;
+  renderer_.draw(view_of(terrain), look, camera, {64, 48, 1});
+  EXPECT_LT(renderer_.uploaded_texels() - near, near / 2);
+}
+
+TEST_F(Pictures, WhatChangesInATileIsComputedThereAndLooksLikeAllComputedAnew) {
+  Terrain terrain({320, 320}, 1.0, slab);
+  for (int y = 0; y < 320; ++y) {
+    for (int x = 0; x < 320; ++x) terrain.edit_mobile()(x, y) = 6 + static_cast<int>(mix64(x + 320 * y) % 3);
+  }
+  RenderEffort effort;
+  effort.largest_map = 320;
+  effort.sky_steps = 6;
+  Look look;
+  look.legend = false;
+  const auto draw = [&](Renderer& renderer) {
+    renderer.set_effort(effort);
+    const Camera camera = camera_preset("top", Renderer::land_of(view_of(terrain), look), 1);
+    return renderer.draw(view_of(terrain), look, camera, {320, 320, 1}).opaque();
+  };
+  terrain.edit_mobile()(100, 100) = 20;  // so that the highest point stays
+  draw(renderer_);
+  const std::int64_t all = renderer_.computed_texels();
+  EXPECT_EQ(all, 320 * 320);
+  for (const auto& [x, y] : {std::pair{75, 70}, std::pair{319, 0}}) {
+    for (int step = 0; step < 9; ++step) terrain.edit_mobile()(x - step, y) = 20;
+    const RgbImage updated = draw(renderer_);
+    Renderer fresh;
+    EXPECT_EQ(difference(updated, draw(fresh)).largest, 0) << x << " " << y;
+  }
+  // A tile of 64 cells and the 18 around it that smoothing reaches, twice.
+  EXPECT_EQ(renderer_.computed_texels() - all, 2 * 100 * 100);
 }
 
 TEST_F(Pictures, TransparentPicturesHaveNothingBehindTheLand) {

@@ -198,6 +198,28 @@ TEST_F(EditsTest, ADabReachesAcrossATorusAndStopsAtAnOpenEdge) {
   }
 }
 
+TEST_F(EditsTest, PlantsArePaintedWithinTheirRange) {
+  Config config("nield_baas");
+  config.grid.set("nx", std::int64_t{48});
+  config.grid.set("ny", std::int64_t{40});
+  runner.create({config});
+  const FieldInfo info = still()->runs[0].terrain->fields().front().info;
+  const std::uint64_t before = hash();
+  runner.paint(
+      0, {.material = BrushMaterial::field, .x = 10.5, .y = 10.5, .radius = 4, .field = info.key, .strength = 1e9}, 1);
+  const auto painted = still();
+  EXPECT_EQ(painted->runs[0].terrain->fields().front().values(10, 10), static_cast<float>(info.maximum));
+  EXPECT_EQ(painted->runs[0].mass_drift(), 0);
+  EXPECT_NE(hash(), before);
+  runner.run(3);
+  still();
+  runner.undo();
+  EXPECT_EQ(hash(), before);
+  runner.paint(0, {.material = BrushMaterial::field, .field = "no such layer", .strength = 1}, 2);
+  EXPECT_EQ(hash(), before);
+  EXPECT_EQ(log.count(LogLevel::error), 1u);
+}
+
 TEST_F(EditsTest, ComparedRunsGoByOneClock) {
   Config first = small_config("cpu", 1);
   Config second = small_config("serial", 2);

@@ -47,7 +47,7 @@ TEST(Series, SpansAnyRunEvenlyInBoundedSpace) {
 TEST(Series, OfARunIsWhatTheRunWas) {
   Log log;
   Runner runner(log);
-  runner.create({small_config()});
+  runner.create({small_config("serial")});
   runner.run(40);
   runner.wait_until_still();
   const auto now = runner.snapshot();
@@ -55,7 +55,7 @@ TEST(Series, OfARunIsWhatTheRunWas) {
   ASSERT_GE(series.rows(), 2u);
   EXPECT_EQ(series.value(0, 0), 0);
   for (std::size_t row = 0; row < series.rows(); ++row) {
-    Simulation simulation(small_config());
+    Simulation simulation(small_config("serial"));
     RunMeter meter(simulation.totals(), 0);
     for (int step = 0; step < static_cast<int>(series.value(row, 0)); ++step) simulation.step();
     EXPECT_EQ(series.value(row, 5), meter.take(simulation)[5]) << "spread of thickness, row " << row;

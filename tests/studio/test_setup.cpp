@@ -98,6 +98,26 @@ TEST(Setup, APictureMustBeThereBeforeItIsCreated) {
   EXPECT_THROW(setup.config_to_create(), InputError);
 }
 
+TEST(Setup, TheTemperatureOfSnowIsEditedInItsRange) {
+  erg::Setup setup;
+  setup.choose_material(Material::snow);
+  ASSERT_EQ(setup.material(), Material::snow);
+  const Config before = setup.config();
+  EXPECT_TRUE(setup.set_temperatures(-20, 5).has_value());
+  EXPECT_TRUE(setup.set_temperature_curve({{0, 2}, {1, 1}}).has_value());
+  EXPECT_EQ(setup.config(), before);
+  ASSERT_FALSE(setup.set_temperatures(-20, -4).has_value());
+  ASSERT_FALSE(setup.set_temperature_curve({{0, 0}, {1, 1}}).has_value());
+  const std::vector<double> sampled = setup.sampled_temperature(5);
+  EXPECT_EQ(sampled.front(), -20);
+  EXPECT_NEAR(sampled[2], -12, 1e-9);
+  EXPECT_EQ(sampled.back(), -4);
+  EXPECT_EQ(parse_config(config_text(setup.config()), "test"), setup.config());
+  EXPECT_EQ(setup.in_force_on(before).temperature.last, -4) << "may change in a run";
+  setup.choose_material(Material::sand);
+  EXPECT_EQ(setup.material(), Material::sand);
+}
+
 TEST(Setup, AFreshSeedIsDrawnAndKept) {
   erg::Setup setup;
   EXPECT_EQ(setup.config_to_create().run.integer("seed"), 0);
@@ -147,6 +167,7 @@ TEST(WindEditor, InvalidValuesChangeNothing) {
   EXPECT_TRUE(wind.set_first(0, 0).has_value());
   EXPECT_TRUE(wind.set_last(0, std::numeric_limits<double>::infinity()).has_value());
   EXPECT_TRUE(wind.set_steps(0, 0).has_value());
+  EXPECT_TRUE(wind.set_snowfall(0, -1).has_value());
   EXPECT_TRUE(wind.set_curve(0, {{-0.1, 0}, {1, 1}}).has_value());
   EXPECT_TRUE(wind.set_curve(0, {{0, 0}, {1, 1.5}}).has_value());
   EXPECT_EQ(regime, before);

@@ -26,8 +26,7 @@ Config small_config() {
 PanelHand::PanelHand(std::unique_ptr<Panel> panel, const std::function<void(const TemporaryFolder&)>& prepare)
     : studio(folders_in(folder, prepare)),
       panel_(std::move(panel)),
-      hand([this] { draw(); }, size_of(*panel_).x > 700 ? size_of(*panel_) : ImVec2{800, size_of(*panel_).y}) {
-}
+      hand([this] { draw(); }, size_of(*panel_).x > 700 ? size_of(*panel_) : ImVec2{800, size_of(*panel_).y}) {}
 
 void PanelHand::draw() {
   if (studio.settings().last_folder.empty()) studio.settings().last_folder = folder.path().string();

@@ -79,6 +79,9 @@ Config random_config(std::mt19937& random) {
     }
   }
   if (config.scene.text("kind") == "image") config.scene.set("image", std::string("ground.png"));
+  if (const Parameter* wanted = wanted_path(config.parameters)) {
+    config.parameters.set(std::string(wanted->key), std::string("plants.png"));
+  }
   config.wind.seasons.assign(1 + below(3), Season{});
   for (Season& season : config.wind.seasons) {
     season.bearing = 360 * unit();
@@ -169,10 +172,13 @@ TEST_F(ConfigFile, ReportsEveryMistakeAtOnceWhereItStands) {
 TEST_F(ConfigFile, SaysWhatIsMissing) {
   EXPECT_EQ(mistakes("{}"),
             "a.json:1: \"erg\", the version of the format, is missing; add \"erg\": 1\n"
-            "a.json:1: \"model\" is missing; expected one of werner, momiji, bishop");
+            "a.json:1: \"model\" is missing; expected one of werner, momiji, bishop, nield_baas, snow_packing, "
+            "snow_sintering, grains");
   EXPECT_EQ(mistakes("[]"), "a.json:1: a config is a list; expected an object, { ... }");
   EXPECT_EQ(mistakes("\n\n3"), "a.json:3: a config is 3; expected an object, { ... }");
-  EXPECT_EQ(mistakes(R"({"erg": 1, "model": 7})"), "a.json:1: model is 7; expected one of werner, momiji, bishop");
+  EXPECT_EQ(
+      mistakes(R"({"erg": 1, "model": 7})"),
+      "a.json:1: model is 7; expected one of werner, momiji, bishop, nield_baas, snow_packing, snow_sintering, grains");
   EXPECT_EQ(mistakes(R"({"erg": "1", "model": "momiji"})"),
             "a.json:1: erg is \"1\"; this program reads version 1 of the format");
   EXPECT_EQ(mistakes_in(R"("title": 5)"), "a.json:4: title is 5; expected text in double quotes");

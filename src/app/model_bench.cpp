@@ -1,0 +1,85 @@
+#include "app/model_bench.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <thread>
+
+#include "app/bench.h"
+#include "app/text_table.h"
+#include "models/grains.h"
+#include "sim/simulation.h"
+
+namespace erg {
+namespace {
+
+constexpr int growing_steps = 3;  // enough for a rough bed
+constexpr int measured_steps = 4;
+constexpr int largest_bench_side = 256;
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+ModelBenchRow measure_grains(const std::string& model, int side, const std::string& executor, int threads) {
+  Config config(model);
+  const std::string cells = std::to_string(side);
+  for (const std::string& assignment :
+       {"grid.nx=" + cells, "grid.ny=" + cells, std::string("grid.cell_size=0.01"), std::string("scene.sand=200"),
+        "run.executor=" + executor, "run.threads=" + std::to_string(threads), std::string("run.seed=1")}) {
+    set_from_text(config, assignment);
+  }
+  config.wind = Regime::constant(270, 10);
+  Simulation simulation(config);
+  const auto* grain_model = dynamic_cast<const GrainModel*>(&simulation.model());
+  if (grain_model == nullptr) {
+    throw InputError("--model", "\"" + model + "\" moves neither slabs nor grains", "see `erg models`");
+  }
+  for (int step = 0; step < growing_steps; ++step) simulation.step();
+  std::int64_t polls = 0;
+  std::int64_t grain_steps = 0;
+  const double processor_start = processor_seconds();
+  const auto start = std::chrono::steady_clock::now();
+  for (int step = 0; step < measured_steps; ++step) {
+    polls += simulation.step().polls;
+    grain_steps += grain_model->flights().grain_steps;
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double processor = processor_seconds() - processor_start;
+  return {.model = model,
+          .side = side,
+          .executor = executor,
+          .threads = simulation.executor().threads(),
+          .polls_per_second = static_cast<double>(polls) / seconds,
+          .grain_steps_per_second = static_cast<double>(grain_steps) / seconds,
+          .grain_steps_per_cpu_second = static_cast<double>(grain_steps) / processor,
+          .hash = state_hash(simulation.terrain())};
+}
+
+}  // namespace
+
+std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOptions& options) {
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = options.threads > 0 ? options.threads : processors;
+  const int side = std::min(options.grid, largest_bench_side);
+  std::fprintf(stderr, "bench: measuring %s, %d x %d cells\n", model.c_str(), side, side);
+  std::vector<ModelBenchRow> rows{measure_grains(model, side, "serial", 1), measure_grains(model, side, "cpu", 1)};
+  if (threads > 1) rows.push_back(measure_grains(model, side, "cpu", threads));
+  return rows;
+}
+
+std::string grains_table(const std::vector<ModelBenchRow>& rows) {
+  constexpr double million = 1e6;
+  TextTable table;
+  table.heading = {"model", "cells", "executor", "threads", "grains", "grain steps", "of a thread's own second"};
+  for (const ModelBenchRow& row : rows) {
+    table.rows.push_back({row.model, std::to_string(row.side) + " x " + std::to_string(row.side), row.executor,
+                          std::to_string(row.threads), fixed_text(row.polls_per_second / million, 3),
+                          fixed_text(row.grain_steps_per_second / million, 1),
+                          fixed_text(row.grain_steps_per_cpu_second / million, 1)});
+  }
+  return table.aligned() +
+         "\nMillion grains polled and million time steps of grains a second on the wall; time steps in a second of one "
+         "thread's own\nprocessor time, which a busy machine does not hide.\n";
+}
+
+}  // namespace erg

@@ -1,0 +1,31 @@
+// How fast models are that move no slabs: whole steps, grains and their time steps.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace erg {
+
+struct BenchOptions;
+
+/// One measured executor. Rates count the processor time that the program used, on all threads together, as well as the
+/// time on the wall: the former also tells on a machine that is busy otherwise.
+struct ModelBenchRow {
+  std::string model;
+  int side = 0;  ///< cells
+  std::string executor;
+  int threads = 1;
+  double polls_per_second = 0;            ///< on the wall
+  double grain_steps_per_second = 0;      ///< on the wall
+  double grain_steps_per_cpu_second = 0;  ///< of one thread's time
+  std::uint64_t hash = 0;                 ///< of the terrain after the same steps in every row
+};
+
+/// Measures a model of single grains on one thread and on more. Throws InputError for other models.
+std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOptions& options);
+
+/// The rows as a table with its legend.
+std::string grains_table(const std::vector<ModelBenchRow>& rows);
+
+}  // namespace erg

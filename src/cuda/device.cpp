@@ -1,0 +1,107 @@
+#include "cuda/device.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace erg {
+namespace {
+
+constexpr std::int64_t most_blocks = 1 << 20;
+
+std::string size_text(std::size_t bytes) {
+  const std::size_t mebibytes = bytes >> 20;
+  return mebibytes > 0 ? std::to_string(mebibytes) + " MiB" : std::to_string(bytes) + " bytes";
+}
+
+}  // namespace
+
+Device::Device(std::unique_ptr<DeviceCalls> calls) : calls_(std::move(calls)) {
+  if (!calls_) throw DeviceError("this program was built without CUDA");
+  try {
+    open();
+  } catch (const DeviceError&) {
+    close();
+    throw;
+  }
+}
+
+Device::~Device() { close(); }
+
+void Device::open() {
+  int count = 0;
+  check(calls_->count_devices(count), "looking for a device");
+  if (count == 0) throw DeviceError("there is no CUDA device");
+  check(calls_->choose_device(0), "choosing the device");
+  check(calls_->name_device(0, name_), "asking for the device's name");
+  check(calls_->create_stream(stream_), "creating a stream");
+  for (Piece& piece : pieces_) {
+    void* pinned = nullptr;
+    check(calls_->allocate_pinned(pinned, piece_bytes), "allocating pinned memory");
+    piece.pinned = static_cast<std::byte*>(pinned);
+    check(calls_->create_event(piece.copied), "creating an event");
+  }
+}
+
+void Device::close() {
+  if (stream_ != nullptr) calls_->wait_for_stream(stream_);  // pinned memory may still be under way
+  for (Piece& piece : pieces_) {
+    if (piece.copied != nullptr) calls_->destroy_event(piece.copied);
+    if (piece.pinned != nullptr) calls_->release_pinned(piece.pinned);
+  }
+  if (stream_ != nullptr) calls_->destroy_stream(stream_);
+}
+
+void Device::check(DeviceCalls::Status status, const char* doing) {
+  if (status != 0) throw DeviceError(calls_->error_text(status) + " (while " + doing + ")");
+}
+
+void* Device::allocate(std::size_t bytes) {
+  void* memory = nullptr;
+  if (const auto status = calls_->allocate(memory, bytes); status != 0) {
+    throw DeviceError(calls_->error_text(status) + " (asked for " + size_text(bytes) + ")");
+  }
+  return memory;
+}
+
+void Device::fill(void* memory, int byte, std::size_t bytes) {
+  check(calls_->fill(memory, byte, bytes, stream_), "filling memory");
+}
+
+void Device::launch(DeviceKernel kernel, std::int64_t items, const DevicePlan& plan) {
+  const std::int64_t blocks = std::clamp<std::int64_t>((items + device_block - 1) / device_block, 1, most_blocks);
+  check(calls_->launch(kernel, static_cast<int>(blocks), plan, stream_), "starting a kernel");
+}
+
+void Device::copy_in(void* memory, std::size_t bytes, const Pack& pack) {
+  std::size_t number = 0;
+  for (std::size_t first = 0; first < bytes; first += piece_bytes, ++number) {
+    const Piece& piece = pieces_[number % 2];
+    const std::size_t size = std::min(piece_bytes, bytes - first);
+    check(calls_->wait_for_event(piece.copied), "copying to the device");  // its last copy, which may be of long ago
+    pack(piece.pinned, first, size);
+    check(calls_->copy_in(static_cast<std::byte*>(memory) + first, piece.pinned, size, stream_),
+          "copying to the device");
+    check(calls_->record(piece.copied, stream_), "copying to the device");
+  }
+}
+
+void Device::copy_out(const void* memory, std::size_t bytes, const Unpack& unpack) {
+  const std::size_t count = (bytes + piece_bytes - 1) / piece_bytes;
+  const auto size_of = [&](std::size_t number) { return std::min(piece_bytes, bytes - number * piece_bytes); };
+  for (std::size_t number = 0; number <= count; ++number) {
+    if (number < count) {
+      const Piece& piece = pieces_[number % 2];
+      check(calls_->copy_out(piece.pinned, static_cast<const std::byte*>(memory) + number * piece_bytes,
+                             size_of(number), stream_),
+            "copying from the device");
+      check(calls_->record(piece.copied, stream_), "copying from the device");
+    }
+    if (number > 0) {
+      const Piece& piece = pieces_[(number - 1) % 2];
+      check(calls_->wait_for_event(piece.copied), "computing");  // errors of kernels come to light here
+      unpack(piece.pinned, (number - 1) * piece_bytes, size_of(number - 1));
+    }
+  }
+}
+
+}  // namespace erg

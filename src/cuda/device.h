@@ -1,0 +1,97 @@
+// A graphics card as the executor uses it: memory that frees itself, copies in pieces through pinned memory, launches.
+// Whatever goes wrong is a DeviceError.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "cuda/device_calls.h"
+
+namespace erg {
+
+/// A device that is missing, full or broken. The text is a clause: "out of memory (asked for 64 MiB)".
+class DeviceError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class Device {
+ public:
+  /// The first device. Throws DeviceError if there is none that works.
+  explicit Device(std::unique_ptr<DeviceCalls> calls);
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  void* allocate(std::size_t bytes);
+  void release(void* memory) { calls_->release(memory); }
+  void fill(void* memory, int byte, std::size_t bytes);
+  /// Starts a kernel on `items` items.
+  void launch(DeviceKernel kernel, std::int64_t items, const DevicePlan& plan);
+
+  /// Copies `bytes` to the device, in pieces that `pack(target, first byte, bytes)` writes: the processor packs one
+  /// while the one before is on its way.
+  using Pack = std::function<void(std::byte* target, std::size_t first, std::size_t bytes)>;
+  void copy_in(void* memory, std::size_t bytes, const Pack& pack);
+  /// The same from the device: `unpack(source, first byte, bytes)` reads each piece.
+  using Unpack = std::function<void(const std::byte* source, std::size_t first, std::size_t bytes)>;
+  void copy_out(const void* memory, std::size_t bytes, const Unpack& unpack);
+
+  /// Bytes of a piece; a multiple of every element's size.
+  static constexpr std::size_t piece_bytes = std::size_t{1} << 22;
+
+ private:
+  struct Piece {
+    std::byte* pinned = nullptr;
+    void* copied = nullptr;  // event
+  };
+  void open();
+  void close();
+  void check(DeviceCalls::Status status, const char* doing);
+
+  std::unique_ptr<DeviceCalls> calls_;
+  std::string name_;
+  void* stream_ = nullptr;
+  Piece pieces_[2];
+};
+
+/// An array in the device's memory.
+template <typename T>
+class DeviceArray {
+ public:
+  DeviceArray() = default;
+  DeviceArray(Device& device, std::size_t count)
+      : device_(&device), count_(count), data_(static_cast<T*>(device.allocate(count * sizeof(T)))) {}
+  ~DeviceArray() { reset(); }
+  DeviceArray(DeviceArray&& other) noexcept
+      : device_(other.device_), count_(std::exchange(other.count_, 0)), data_(std::exchange(other.data_, nullptr)) {}
+  DeviceArray& operator=(DeviceArray&& other) noexcept {
+    reset();
+    device_ = other.device_;
+    count_ = std::exchange(other.count_, 0);
+    data_ = std::exchange(other.data_, nullptr);
+    return *this;
+  }
+
+  T* data() const { return data_; }
+  std::size_t size() const { return count_; }
+  std::size_t bytes() const { return count_ * sizeof(T); }
+
+ private:
+  void reset() {
+    if (data_ != nullptr) device_->release(data_);
+    data_ = nullptr;
+  }
+
+  Device* device_ = nullptr;
+  std::size_t count_ = 0;
+  T* data_ = nullptr;
+};
+
+}  // namespace erg

@@ -1,0 +1,233 @@
+// Kernels that lift slabs and fly them until they stay. One thread lifts one slab and follows it; the carry over the
+// torus edge takes a line.
+#pragma once
+
+#include "cuda/device_cells.h"
+
+namespace erg::ERG_KERNEL_SPACE {
+
+/// A cell as a slab meets it: chances, random words. `row` may lie beyond the grid; it keys the random numbers.
+struct Ground {
+  std::int32_t cell = 0;
+  std::uint32_t line = 0;
+  std::uint32_t height = 0;
+  std::uint64_t word = 0;          // of the row
+  std::uint32_t landing_word = 0;  // of the line's quad
+  std::uint32_t chance = 0;        // to stay, of 256
+  bool sure = false;               // everything stays
+  bool held = false;               // nothing lifts
+};
+
+__device__ inline Ground ground_at(const DevicePlan& plan, std::int32_t line, std::int32_t row) {
+  Ground ground;
+  ground.cell = cell_of(plan, line, row);
+  ground.line = static_cast<std::uint32_t>(line);
+  ground.height = height_of(plan.before[ground.cell]);
+  ground.word = row_word(plan.sweep.sweep_word, static_cast<std::uint32_t>(row));
+  ground.landing_word = quad_word(draw_key(ground.word, Draw::first_landing), ground.line >> 2);
+  const bool dark = plan.dark[ground.cell] != 0;
+  const bool sand = ground.height != (plan.bedrock ? plan.bedrock[ground.cell] : 0u);
+  ground.chance = byte_chance(sand ? plan.sweep.p_sand_16 : plan.sweep.p_bare_16, ground.word);
+  ground.sure = dark || ground.chance > 255;
+  ground.held = !sand || (dark && !plan.sweep.lift_in_shadow);
+  if (plan.cover) {
+    const std::uint32_t cover = plan.cover[ground.cell];
+    ground.held = ground.held || cover == 255 || line_byte(draw_key(ground.word, Draw::cover), ground.line) < cover;
+    ground.sure = ground.sure || cover == 255;
+    ground.chance = covered_chance(ground.chance, cover);
+  }
+  return ground;
+}
+
+__device__ inline std::uint32_t byte_of(std::uint32_t word, std::uint32_t line) {
+  return (word >> (8 * (line & 3))) & 0xff;
+}
+
+/// Whether the slab that comes down as number `slab` (from 0) stays.
+__device__ inline bool stays(const Ground& ground, std::uint32_t slab) {
+  if (ground.sure) return true;
+  if (slab == 0) return byte_of(ground.landing_word, ground.line) < ground.chance;
+  if (slab == 1) return byte_of(next_word(ground.landing_word, Draw::second_landing), ground.line) < ground.chance;
+  const std::uint32_t key = draw_key(ground.word, static_cast<std::uint32_t>(Draw::first_landing) + slab);
+  return line_byte(key, ground.line) < ground.chance;
+}
+
+/// Rows of the hop from here.
+__device__ inline std::int32_t hop_from(const DevicePlan& plan, const Ground& ground) {
+  const std::uint32_t rows_256 = plan.hop_table[plan.hop_by_height ? ground.height : 0];
+  const std::uint32_t random = byte_of(next_word(ground.landing_word, Draw::hop), ground.line);
+  return static_cast<std::int32_t>(hop_rows(rows_256, random));
+}
+
+__device__ inline void set_down(const DevicePlan& plan, std::int32_t cell, std::uint32_t slabs) {
+  if (slabs == 0) return;
+  raise(plan.next_highest, height_of(atomicAdd(plan.after + cell, slabs)) + slabs);
+}
+
+/// The first row from `row` on, before `end`, over which slabs drop because bedrock stands too steeply in the next one;
+/// `end` where there is none (Cimbura 2022, algorithm 7).
+__device__ inline std::int32_t wall_before(const DevicePlan& plan, std::int32_t line, std::int32_t row,
+                                           std::int32_t end) {
+  if (!plan.walls) return end;
+  LineWalk walk = LineWalk::at(plan, line, row);
+  for (; row < end; ++row) {
+    const std::uint32_t ground = height_of(plan.before[walk.cell(plan)]);
+    walk.go_on(plan);
+    if (plan.bedrock[walk.cell(plan)] > ground + static_cast<std::uint32_t>(plan.sweep.wall_step)) return row;
+  }
+  return end;
+}
+
+/// Lets `slabs` fly from `row` toward `end` on their line: they drop at a wall or leave an open grid on their way, or
+/// get there. Returns whether they got there, and books the rows that they did not fly.
+__device__ inline bool fly(const DevicePlan& plan, std::int32_t line, std::int32_t row, std::int32_t end,
+                           std::uint32_t slabs, ThreadTally& tally) {
+  const std::int32_t edge = plan.open ? leaving_row(plan, line, row) : end + 1;
+  // Over an open edge no wall is met.
+  const std::int32_t walls_end = end < edge - 1 ? end : edge - 1;
+  const std::int32_t wall = wall_before(plan, line, row, walls_end);
+  if (wall < walls_end) {
+    set_down(plan, cell_of(plan, line, wall), slabs);
+    tally.counts[tally_rows] -= static_cast<std::int64_t>(end - wall) * slabs;
+    return false;
+  }
+  if (end < edge) return true;
+  tally.counts[tally_out] += slabs;
+  tally.counts[tally_rows] -= static_cast<std::int64_t>(end - edge) * slabs;
+  return false;
+}
+
+/// Hands a slab that comes down beyond the torus edge to its line's list.
+__device__ inline void carry_over(const DevicePlan& plan, std::int32_t line, std::int32_t row) {
+  const std::int32_t place = atomicAdd(plan.aloft_count, 1);
+  plan.aloft[place].row = row;
+  plan.aloft[place].next = atomicExch(plan.first_aloft + line, place);
+}
+
+/// Follows one slab from `row`, where it is in the air, to where it comes down next, and on until it stays.
+__device__ inline void follow(const DevicePlan& plan, std::int32_t line, std::int32_t row, std::int32_t end,
+                              ThreadTally& tally) {
+  while (fly(plan, line, row, end, 1, tally)) {
+    if (end >= plan.length) {
+      carry_over(plan, line, end);
+      return;
+    }
+    const Ground ground = ground_at(plan, line, end);
+    const std::uint32_t number = atomicAdd(plan.after + ground.cell, one_arrival) >> 16;
+    if (stays(ground, number)) {
+      set_down(plan, ground.cell, 1);
+      return;
+    }
+    const std::int32_t rows = hop_from(plan, ground);
+    tally.counts[tally_rows] += rows;
+    row = end;
+    end = row + rows;
+  }
+}
+
+/// Open boundary: slabs come in at row 0 (items up to the width) and where lines enter sideways (one item a row).
+__global__ void let_in(DevicePlan plan) {
+  ThreadTally tally;
+  for (std::int32_t item = first_item(); item < plan.width + plan.length - 1; item += item_stride()) {
+    std::int32_t row = 0;
+    std::int32_t line = item;
+    if (item >= plan.width) {
+      row = item - plan.width + 1;
+      const std::int32_t offset = offset_of(plan, row);
+      if (offset == offset_of(plan, row - 1)) continue;
+      line = wrapped(-offset, plan.width);
+    }
+    const Ground ground = ground_at(plan, line, row);
+    const std::uint32_t random = mix32(draw_key(ground.word, Draw::inflow) ^ ground.line * 0x9e3779b9u);
+    const int slabs = static_cast<int>(plan.sweep.inflow + (random >> 16) * (1.0 / 65536));
+    const std::uint64_t rows_256 = plan.hop_table[plan.hop_by_height ? ground.height : 0];
+    for (int slab = 0; slab < slabs; ++slab) {
+      // Where in its hop a slab crosses the edge is random: it comes down up to one hop further on.
+      const std::uint32_t part = mix32(random + static_cast<std::uint32_t>(slab)) >> 16;
+      follow(plan, line, row, row + static_cast<std::int32_t>((rows_256 * part) >> 24), tally);
+    }
+    tally.counts[tally_in] += slabs;
+  }
+  tally.book(plan);
+}
+
+/// Polls one cell in each block of a line, lifts its slab and follows it.
+__global__ void lift(DevicePlan plan) {
+  ThreadTally tally;
+  const std::int32_t block = poll_rows(plan.sweep);
+  const std::int32_t blocks = (plan.length + block - 1) / block;
+  // Nobody reads this bound any more; it starts anew for the plane after the next.
+  if (first_item() == 0) *plan.highest = 0;
+  for (std::int32_t item = first_item(); item < blocks * plan.width; item += item_stride()) {
+    const std::int32_t line = item % plan.width;
+    const auto number = static_cast<std::uint32_t>(item / plan.width);
+    const std::uint32_t key = draw_key(row_word(plan.sweep.poll_word, number), Draw::poll);
+    const std::uint32_t random = line_byte(key, static_cast<std::uint32_t>(line));
+    const std::uint32_t in_block = plan.sweep.permuted ? plan.sweep.polled_row[random]
+                                                       : random & static_cast<std::uint32_t>(plan.sweep.sweeps - 1);
+    const auto row = static_cast<std::int32_t>(number) * block + static_cast<std::int32_t>(in_block);
+    if (in_block >= static_cast<std::uint32_t>(block) || row >= plan.length) continue;
+    ++tally.counts[tally_polls];
+    const Ground ground = ground_at(plan, line, row);
+    if (ground.held) continue;
+    atomicAdd(plan.after + ground.cell, ~std::uint32_t{0});
+    const std::int32_t rows = hop_from(plan, ground);
+    ++tally.counts[tally_lifts];
+    tally.counts[tally_rows] += rows;
+    follow(plan, line, row, row + rows, tally);
+  }
+  tally.book(plan);
+}
+
+/// The next row at which slabs of a list come down, and how many.
+struct Arrivals {
+  std::int32_t row = INT32_MAX;
+  std::uint32_t slabs = 0;
+};
+
+__device__ inline Arrivals next_arrivals(const DevicePlan& plan, std::int32_t first) {
+  Arrivals arrivals;
+  for (std::int32_t slab = first; slab >= 0; slab = plan.aloft[slab].next) {
+    const std::int32_t row = plan.aloft[slab].row;
+    if (row > arrivals.row || row == INT32_MAX) continue;
+    arrivals.slabs = row == arrivals.row ? arrivals.slabs + 1 : 1;
+    arrivals.row = row;
+  }
+  return arrivals;
+}
+
+/// Lets slabs that came down at `from` fly on: `slabs` of them to `to`; the others stay and leave the list.
+__device__ inline void send_on(const DevicePlan& plan, std::int32_t first, std::int32_t from, std::int32_t to,
+                               std::uint32_t slabs) {
+  for (std::int32_t slab = first; slab >= 0; slab = plan.aloft[slab].next) {
+    if (plan.aloft[slab].row != from) continue;
+    plan.aloft[slab].row = slabs > 0 ? to : INT32_MAX;
+    slabs -= slabs > 0 ? 1 : 0;
+  }
+}
+
+/// Slabs that flew over the torus edge go on until they stay, row after row of a line.
+__global__ void carry(DevicePlan plan) {
+  ThreadTally tally;
+  const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan.length;
+  for (std::int32_t item = first_item(); item < plan.width; item += item_stride()) {
+    const std::int32_t line = item;
+    const std::int32_t first = plan.first_aloft[line];
+    plan.first_aloft[line] = -1;
+    for (Arrivals now = next_arrivals(plan, first); now.slabs > 0; now = next_arrivals(plan, first)) {
+      Ground ground = ground_at(plan, line, now.row);
+      ground.sure = ground.sure || now.row > last_free_row;
+      std::uint32_t landed = 0;
+      for (std::uint32_t slab = 0; slab < now.slabs; ++slab) landed += stays(ground, slab) ? 1 : 0;
+      set_down(plan, ground.cell, landed);
+      std::uint32_t leaving = now.slabs - landed;
+      const std::int32_t rows = hop_from(plan, ground);
+      tally.counts[tally_rows] += static_cast<std::int64_t>(rows) * leaving;
+      if (leaving > 0 && !fly(plan, line, now.row, now.row + rows, leaving, tally)) leaving = 0;
+      send_on(plan, first, now.row, now.row + rows, leaving);
+    }
+  }
+  tally.book(plan);
+}
+
+}  // namespace erg::ERG_KERNEL_SPACE

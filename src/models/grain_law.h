@@ -1,0 +1,29 @@
+// What the declared parameters of the grain model mean in numbers for one wind: the tables that the rules of a grain
+// read.
+#pragma once
+
+#include "core/parameters.h"
+#include "models/grain_cell.h"
+#include "wind/regime.h"
+#include "wind/wind_frame.h"
+
+namespace erg {
+
+/// All parameters of the grain model.
+Parameters grain_parameters();
+
+/// The friction velocity (m/s) from which the wind lifts grains of this diameter (m): Shao & Lu 2000, eq. 24, times the
+/// ratio of the threshold under impacts to that of the air alone.
+double lifting_threshold(const ParameterValues& values, double diameter);
+
+/// The friction velocity (m/s) of a wind of this strength, as `strength_is` says. Above the threshold the profile is
+/// the one that flying grains leave (Bagnold's focus): log profiles of all winds meet at the focus height.
+double friction_velocity(const ParameterValues& values, double strength);
+
+/// Wind speed (m/s) at a height (m) over open ground under this friction velocity.
+double profile_speed(const ParameterValues& values, double friction_velocity, double height);
+
+/// The law for one wind on a grid.
+GrainLaw grain_law(const ParameterValues& values, const WindNow& wind, const WindFrame& frame, double cell_size);
+
+}  // namespace erg

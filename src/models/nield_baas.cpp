@@ -1,0 +1,87 @@
+#include "models/nield_baas.h"
+
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "models/plants.h"
+#include "models/slab_model.h"
+
+namespace erg {
+namespace {
+
+constexpr SlabFamily family{.repose_angle = 30, .slab_height = 0.1, .polling = "nonrepeated"};
+
+Parameters nield_baas_parameters() {
+  Parameters parameters = slab_parameters(family);
+  parameters.push_back(real_parameter("vegetated_repose_angle", "Repose under plants", "deg", 40, 1, 80,
+                                      "Angle of repose where plants hold the sand.", "Nield & Baas 2008"));
+  parameters.push_back(real_parameter("repose_from", "Plants hold from", "", 0.3, 0.01, 1,
+                                      "Effectiveness rho from which on slopes are held.", "Nield & Baas 2008"));
+  parameters.push_back(boolean_parameter("lift_in_shadow", "Lifting in shadow", false,
+                                         "Whether sand lifts in the wind shadow, as in Werner 1995."));
+  const Parameters plants = plant_parameters();
+  parameters.insert(parameters.end(), plants.begin(), plants.end());
+  return parameters;
+}
+
+std::vector<std::string> explain(const ParameterValues& values, double cell_size) {
+  std::vector<std::string> lines = explain_slabs(values, cell_size);
+  const int step =
+      StandingSteps::of_angle(values.real("vegetated_repose_angle"), cell_size, values.real("slab_height")).straight;
+  char line[120];
+  std::snprintf(line, sizeof line, "repose under plants %g deg: a step of %d slabs stands",
+                values.real("vegetated_repose_angle"), step);
+  lines.insert(lines.begin() + 1, line);
+  return lines;
+}
+
+class NieldBaas : public SlabModel {
+ public:
+  explicit NieldBaas(ParameterValues values) : SlabModel(family, std::move(values)) {}
+
+  void prepare(const Beginning& beginning) override { beginning_ = beginning; }
+
+  void begin(Terrain& terrain) override {
+    plants_ = std::make_unique<Plants>(values(), beginning_.seed);
+    plants_->begin(terrain, std::exchange(beginning_.picture, nullptr));
+  }
+
+  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
+    SlabLaw law = SlabModel::law(terrain);
+    law.erode_in_shadow = values().boolean("lift_in_shadow");
+    law.covered = StandingSteps::of_angle(values().real("vegetated_repose_angle"), terrain.cell_size(), quantum());
+    law.covered_from = static_cast<std::uint8_t>(values().real("repose_from") * 255 + 0.5);
+    law.cover = &plants_->cover(terrain);
+    law.cover_revision = plants_->cover_revision();
+    StepReport report = executor.step(terrain, law, wind, key);
+    if ((key.step + 1) % static_cast<std::uint64_t>(values().integer("steps_per_year")) != 0) return report;
+    executor.settle(terrain);
+    report.finished = plants_->grow(terrain, key, executor);
+    if (report.finished) report.why_finished = "plants hold all of the sand, so nothing can move any more";
+    return report;
+  }
+
+ private:
+  Beginning beginning_;
+  std::unique_ptr<Plants> plants_;
+};
+
+}  // namespace
+
+ModelType nield_baas() {
+  return {{.key = "nield_baas",
+           .title = "Nield & Baas 2008",
+           .citation = "Nield, J. M. & Baas, A. C. W. (2008). Investigating parabolic and nebkha dune formation using "
+                       "a cellular automaton modelling approach. Earth Surface Processes and Landforms 33, 724-740.",
+           .makes = "nebkhas, parabolic dunes, blowouts, dunes around islands of plants",
+           .leaves_out = "water, seasons of growth, roots; wind speed-up over dunes",
+           .step = "one step polls as many cells as the grid has; steps_per_year of them are a year",
+           .strength_label = "hop length, cells"},
+          nield_baas_parameters(),
+          plant_fields(),
+          [](const ParameterValues& values) { return std::make_unique<NieldBaas>(values); },
+          explain};
+}
+
+}  // namespace erg

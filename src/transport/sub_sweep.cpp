@@ -1,0 +1,83 @@
+#include "transport/sub_sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "transport/fixed_point.h"
+#include "transport/slab_law.h"
+#include "wind/wind_frame.h"
+
+namespace erg {
+namespace {
+
+/// What the random words of a step are for; each has a key space of its own.
+enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations };
+
+/// 256 permutations of K rows, one for each random byte, seen by one sub-sweep of the round: the row it polls.
+void permute_rows(StepKey key, int round, int sweep, SubSweep& drawn) {
+  std::array<std::uint8_t, 64> order{};
+  for (std::uint32_t number = 0; number < 256; ++number) {
+    for (int k = 0; k < drawn.sweeps; ++k) order[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(k);
+    std::uint64_t word = random_word(key, static_cast<std::uint64_t>(round), number, permutations);
+    for (int last = drawn.sweeps - 1; last > 0; --last) {
+      word = mix64(word);
+      const auto other = static_cast<std::size_t>(((word >> 32) * static_cast<std::uint64_t>(last + 1)) >> 32);
+      std::swap(order[static_cast<std::size_t>(last)], order[other]);
+    }
+    drawn.polled_row[number] = order[static_cast<std::size_t>(sweep)];
+  }
+}
+
+void draw_lines(const WindFrame& frame, StepKey key, std::uint64_t line_age, SubSweep& drawn) {
+  if (frame.tangent <= 0) return;
+  drawn.oblique = true;
+  const auto tangent_24 = static_cast<std::int64_t>(frame.tangent * 0x1p24);
+  drawn.drift = (frame.length * tangent_24 + random_below(key, line_age, 0, lines, 1u << 24)) >> 24;
+  drawn.phase = random_below(key, line_age, 1, lines, static_cast<std::uint32_t>(frame.length));
+}
+
+void draw_slide_order(const SlabLaw& law, StepKey key, std::uint64_t sweep, SubSweep& drawn) {
+  drawn.edge_classes = law.neighbours == 8 ? 8 : 4;
+  const auto classes = static_cast<std::uint32_t>(drawn.edge_classes);
+  for (std::uint32_t k = 0; k < classes; ++k) drawn.order[k] = static_cast<std::uint8_t>(k);
+  for (std::uint32_t last = classes - 1; last > 0; --last) {
+    std::swap(drawn.order[last], drawn.order[random_below(key, sweep, last, slide_order, last + 1)]);
+  }
+}
+
+}  // namespace
+
+SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, int sweep, int sweeps) {
+  const int round = sweep / sweeps;
+  const auto number = static_cast<std::uint64_t>(sweep);
+  SubSweep drawn;
+  drawn.sweeps = sweeps;
+  drawn.sweep_word = random_word(key, number, 0, decisions);
+  // Non-repeated polling cuts the lines into blocks for a whole round of K sub-sweeps, so it keeps its lines that long.
+  const std::uint64_t line_age = law.repeated_polling ? number : static_cast<std::uint64_t>(round) << 32;
+  drawn.poll_word = random_word(key, line_age, 0, polls);
+  drawn.permuted = !law.repeated_polling;
+  if (drawn.permuted) permute_rows(key, round, sweep % sweeps, drawn);
+  draw_lines(frame, key, line_age, drawn);
+  drawn.p_sand_16 = static_cast<std::uint32_t>(std::llround(law.p_sand * 65536));
+  drawn.p_bare_16 = static_cast<std::uint32_t>(std::llround(law.p_bare * 65536));
+  drawn.lift_in_shadow = law.erode_in_shadow;
+  const auto fall = [](double slabs) {
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(fixed_point(slabs), 1, 0xffffffff));
+  };
+  drawn.row_fall = fall(law.shadow_fall / frame.cosine);
+  drawn.adjacent_fall = fall(law.shadow_fall);
+  drawn.wall_step = law.bare.straight;
+  if (open && sweep < sweeps) drawn.inflow = law.inflow / sweeps;
+  draw_slide_order(law, key, number, drawn);
+  return drawn;
+}
+
+bool goes_on(const SlabLaw& law, int sweep, int idle, std::int64_t lifts, std::int64_t cells, int sweeps) {
+  if (!law.forced_erosion) return sweep < sweeps;
+  return lifts < cells && idle < idle_rounds * sweeps;
+}
+
+}  // namespace erg

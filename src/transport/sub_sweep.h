@@ -1,0 +1,65 @@
+// What is drawn and fixed for one sub-sweep of a step, as data: every executor that sweeps starts from it, so all of
+// them poll, fly and slide alike. Plain, so that it can be handed to a graphics card.
+#pragma once
+
+#include <cstdint>
+
+#include "core/random.h"
+
+namespace erg {
+
+struct SlabLaw;
+struct WindFrame;
+
+/// Edge classes: edges of one class share no cell.
+enum EdgeClass : std::uint8_t {
+  along_even,
+  along_odd,
+  across_even,
+  across_odd,
+  rising_even,  ///< diagonal (u, v) - (u + 1, v + 1), v even
+  rising_odd,
+  falling_even,  ///< diagonal (u, v) - (u - 1, v + 1), v even
+  falling_odd
+};
+ERG_CELL_RULE bool is_diagonal(EdgeClass edges) { return edges >= rising_even; }
+
+struct SubSweep {
+  int sweeps = 16;                    ///< K
+  std::uint64_t sweep_word = 0;       ///< random word of (seed, step, sub-sweep)
+  std::uint64_t poll_word = 0;        ///< the same for polls: of the whole round where polling is non-repeated
+  bool permuted = false;              ///< non-repeated polling
+  std::uint8_t polled_row[256] = {};  ///< then: rows in [0, K), one for each random byte
+
+  bool oblique = false;
+  std::int64_t drift = 0;  ///< columns that a line moves over the length of the grid
+  std::int64_t phase = 0;  ///< in [0, length)
+
+  std::uint32_t p_sand_16 = 0;  ///< chance * 65536
+  std::uint32_t p_bare_16 = 0;
+  bool lift_in_shadow = true;
+  std::uint32_t row_fall = 0;       ///< fall of the shadow line per row, 1/256 slabs
+  std::uint32_t adjacent_fall = 0;  ///< to the next row
+  int wall_step = 0;                ///< slabs: bedrock standing higher than this over the ground before it is a wall
+  double inflow = 0;                ///< slabs entering per line and sub-sweep
+
+  int edge_classes = 4;
+  std::uint8_t order[8] = {};  ///< classes of sliding edges (EdgeClass) in the order of this sub-sweep
+};
+
+/// Rows of a block of lines: each line is polled in at most one row of each block.
+ERG_CELL_RULE int poll_rows(const SubSweep& sweep) { return sweep.permuted ? sweep.sweeps : sweep.sweeps / 2; }
+
+/// Sub-sweep number `sweep` (from 0) of the step `key`, of `sweeps` (K) that make a step.
+SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, int sweep, int sweeps);
+
+/// A standing step that 16 bits can add to any height; steeper slopes than this need no test.
+inline constexpr int longest_step = 25000;
+
+/// Forced erosion gives up after this many rounds of K sub-sweeps without a lift.
+inline constexpr int idle_rounds = 4;
+
+/// Whether a step that has done `sweep` sub-sweeps, the last `idle` of them without a lift, goes on.
+bool goes_on(const SlabLaw& law, int sweep, int idle, std::int64_t lifts, std::int64_t cells, int sweeps);
+
+}  // namespace erg

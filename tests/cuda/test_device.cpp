@@ -1,0 +1,32 @@
+// On a machine with a graphics card: the same bits as `cpu`. Skipped, with the reason, on others.
+#include <gtest/gtest.h>
+
+#include "cases.h"
+#include "cuda/cuda_executor.h"
+
+namespace erg::test {
+namespace {
+
+TEST(CudaDevice, GivesTheSameBitsAsThreads) {
+  for (const Case& scene : cases()) {
+    CudaExecutor executor(scene.options(), cuda_calls());
+    if (executor.name() != "cuda") GTEST_SKIP() << executor.take_notice();
+    expect_same_as_threads(scene, executor);
+  }
+}
+
+TEST(CudaDevice, GivesTheSameBitsOnDevelopedDunes) {
+  for (const ModelType& model : catalogue()) {
+    if (!World{.model = model.info.key}.moves_slabs()) continue;
+    for (const double bearing : {270.0, 240.0, 225.0}) {
+      const Case scene{
+          model.info.key, {.model = model.info.key, .extent = {700, 520}, .wind = {bearing, 5}}, false, 60};
+      CudaExecutor executor(scene.options(), cuda_calls());
+      if (executor.name() != "cuda") GTEST_SKIP() << executor.take_notice();
+      expect_same_as_threads(scene, executor);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace erg::test

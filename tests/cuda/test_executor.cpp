@@ -1,0 +1,214 @@
+// The CUDA executor's host code against an emulated card: memory, copies, and what happens when a call fails.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../laws/world.h"
+#include "cuda/cuda_executor.h"
+#include "emulated_calls.h"
+
+namespace erg::test {
+namespace {
+
+const ExecutorOptions two_sweeps{.name = "cpu", .threads = 1, .sweeps = 2};
+
+World small_world() { return {.model = "bishop", .extent = {12, 9}, .boundary = Boundary::open, .inflow = 2}; }
+
+/// Two winds, a cover that grows, the terrain looked at in between: everything that the host code does.
+struct Story {
+  World world = small_world();
+  int steps = 6;
+  int looks_every = 4;
+  int wind_turns_at = 3;
+
+  std::uint64_t hash_on(Executor& executor, std::vector<std::string>& notices, MassLedger& ledger) const {
+    Terrain terrain = world.strewn();
+    raise_rocks(terrain, 5);
+    const auto made = find_model(world.model).make(world.values());
+    CoverField cover(world.extent);
+    for (int step = 0; step < steps; ++step) {
+      SlabLaw law = dynamic_cast<const SlabModel&>(*made).law(terrain);
+      std::fill(cover.cells().begin(), cover.cells().end(), static_cast<std::uint8_t>(20 * (step / 2)));
+      law.cover = &cover;
+      law.cover_revision = static_cast<std::uint64_t>(step / 2);
+      const WindNow wind{step < wind_turns_at ? 270.0 : 10.0, 3};
+      executor.step(terrain, law, wind, {world.seed, static_cast<std::uint64_t>(step)});
+      if ((step + 1) % looks_every == 0) executor.settle(terrain);
+      if (const std::string notice = executor.take_notice(); !notice.empty()) notices.push_back(notice);
+    }
+    executor.settle(terrain);
+    if (const std::string notice = executor.take_notice(); !notice.empty()) notices.push_back(notice);
+    ledger = terrain.ledger();
+    EXPECT_EQ(terrain.total_mobile(), ledger.expected());
+    return state_hash(terrain);
+  }
+};
+
+struct Ending {
+  std::uint64_t hash = 0;
+  MassLedger ledger;
+  std::vector<std::string> notices;
+  std::string executor;
+};
+
+Ending told_by_cpu(const Story& story) {
+  Ending ending;
+  ParallelExecutor executor(two_sweeps);
+  ending.hash = story.hash_on(executor, ending.notices, ending.ledger);
+  return ending;
+}
+
+Ending told_by(const Story& story, const std::shared_ptr<Card>& card) {
+  Ending ending;
+  CudaExecutor executor(two_sweeps, std::make_unique<EmulatedCalls>(card));
+  ending.hash = story.hash_on(executor, ending.notices, ending.ledger);
+  ending.executor = executor.name();
+  return ending;
+}
+
+void expect_all_freed(const Card& card) {
+  EXPECT_EQ(card.device_bytes, 0u);
+  EXPECT_TRUE(card.pinned.empty());
+  EXPECT_EQ(card.handles, 0);
+}
+
+TEST(CudaExecutor, GoesThroughAStoryLikeThreads) {
+  const Story story;
+  const auto card = std::make_shared<Card>();
+  const Ending ours = told_by(story, card);
+  const Ending theirs = told_by_cpu(story);
+  EXPECT_EQ(ours.executor, "cuda");
+  EXPECT_TRUE(ours.notices.empty());
+  EXPECT_EQ(ours.hash, theirs.hash);
+  EXPECT_EQ(ours.ledger, theirs.ledger);
+  expect_all_freed(*card);
+}
+
+TEST(CudaExecutor, WhicheverCallFailsTheProcessorGoesOnFromTheSameState) {
+  const Story story;
+  const Ending theirs = told_by_cpu(story);
+  const auto healthy = std::make_shared<Card>();
+  told_by(story, healthy);
+  ASSERT_GT(healthy->calls, 100);
+  for (long long fail_at = 0; fail_at < healthy->calls; ++fail_at) {
+    const auto card = std::make_shared<Card>();
+    card->fail_at = fail_at;
+    const Ending ours = told_by(story, card);
+    EXPECT_EQ(ours.hash, theirs.hash) << "call " << fail_at;
+    EXPECT_EQ(ours.ledger, theirs.ledger) << "call " << fail_at;
+    // The last call of all waits for the stream before memory is freed; nothing is left to lose then.
+    if (fail_at + 1 == healthy->calls) continue;
+    EXPECT_EQ(ours.executor, "cpu") << "call " << fail_at;
+    ASSERT_EQ(ours.notices.size(), 1u) << "call " << fail_at;
+    EXPECT_NE(ours.notices[0].find("computing on the processor"), std::string::npos) << ours.notices[0];
+    expect_all_freed(*card);
+  }
+}
+
+TEST(CudaExecutor, SaysWhyThereIsNoDevice) {
+  const auto none = std::make_shared<Card>();
+  none->devices = 0;
+  CudaExecutor without(two_sweeps, std::make_unique<EmulatedCalls>(none));
+  EXPECT_EQ(without.name(), "cpu");
+  EXPECT_EQ(without.take_notice(), "cuda: there is no CUDA device; computing on the processor");
+  EXPECT_EQ(without.take_notice(), "");
+
+  CudaExecutor not_built(two_sweeps, nullptr);
+  EXPECT_EQ(not_built.take_notice(), "cuda: this program was built without CUDA; computing on the processor");
+
+  const auto old_driver = std::make_shared<Card>();
+  old_driver->fail_at = 0;
+  old_driver->fail_kind = "count";
+  CudaExecutor refused(two_sweeps, std::make_unique<EmulatedCalls>(old_driver));
+  EXPECT_EQ(refused.take_notice(),
+            "cuda: unspecified launch failure (while looking for a device); computing on the processor");
+}
+
+TEST(CudaExecutor, GoesOnOnTheProcessorWhenTheTerrainDoesNotFit) {
+  const Story story;
+  const Ending theirs = told_by_cpu(story);
+  const auto card = std::make_shared<Card>();
+  card->memory = 1000;
+  const Ending ours = told_by(story, card);
+  EXPECT_EQ(ours.hash, theirs.hash);
+  ASSERT_EQ(ours.notices.size(), 1u);
+  EXPECT_NE(ours.notices[0].find("out of memory (asked for"), std::string::npos) << ours.notices[0];
+  expect_all_freed(*card);
+}
+
+TEST(CudaExecutor, KeepsTheTerrainOnTheDeviceBetweenSteps) {
+  World world = small_world();
+  world.model = "werner";
+  const auto card = std::make_shared<Card>();
+  CudaExecutor executor(two_sweeps, std::make_unique<EmulatedCalls>(card));
+  Terrain terrain = world.strewn();
+  const std::uint64_t before = state_hash(terrain);
+  const auto made = find_model(world.model).make(world.values());
+  made->step(terrain, world.wind, {world.seed, 0}, executor);
+  const long long copies = card->of_kind["copy"];
+  const long long allocated = card->of_kind["allocate"];
+  for (std::uint64_t step = 1; step <= 5; ++step) made->step(terrain, world.wind, {world.seed, step}, executor);
+  EXPECT_EQ(card->of_kind["copy"], copies + 5) << "one copy a step: the counts";
+  EXPECT_EQ(card->of_kind["allocate"], allocated);
+  EXPECT_EQ(state_hash(terrain), before) << "stale until it is asked for";
+  executor.settle(terrain);
+  EXPECT_EQ(card->of_kind["copy"], copies + 7) << "which bands have changed, and the one band that this terrain has";
+  executor.settle(terrain);
+  EXPECT_EQ(card->of_kind["copy"], copies + 7) << "nothing was done since";
+  EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
+}
+
+TEST(CudaExecutor, BringsBackOnlyBandsThatHaveChanged) {
+  World world{.extent = {256, 64}};  // four bands of 16 rows
+  const auto card = std::make_shared<Card>();
+  CudaExecutor executor(two_sweeps, std::make_unique<EmulatedCalls>(card));
+  Terrain terrain(world.extent, 1, world.quantum());
+  for (int x = 0; x < 20; ++x) terrain.edit_mobile()(100 + x, 40) = 5;  // in the third
+  terrain.open_ledger();
+  Terrain beside = terrain;
+  const auto made = find_model(world.model).make(world.values());
+  made->step(terrain, world.wind, {world.seed, 0}, executor);
+  const std::size_t bytes = card->bytes_out;
+  executor.settle(terrain);
+  EXPECT_EQ(card->bytes_out - bytes, 4u * 4 + 256 * 16 * 4);
+  world.run(beside, two_sweeps, 1);
+  EXPECT_EQ(state_hash(terrain), state_hash(beside));
+}
+
+TEST(CudaExecutor, LoadsAnewWhatWasEdited) {
+  const World world{.extent = {20, 20}};
+  CudaExecutor cuda(two_sweeps, std::make_unique<EmulatedCalls>(std::make_shared<Card>()));
+  ParallelExecutor cpu(two_sweeps);
+  std::vector<std::uint64_t> hashes;
+  for (Executor* executor : {static_cast<Executor*>(&cuda), static_cast<Executor*>(&cpu)}) {
+    Terrain terrain = world.strewn();
+    world.run(terrain, *executor, 2);
+    terrain.edit_mobile()(5, 5) += 30;
+    world.run(terrain, *executor, 2, 2);
+    hashes.push_back(state_hash(terrain));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(CudaExecutor, CopiesTerrainsThatTakeSeveralPieces) {
+  const auto card = std::make_shared<Card>();
+  Device device(std::make_unique<EmulatedCalls>(card));
+  const std::size_t bytes = 2 * Device::piece_bytes + 12;
+  DeviceArray<std::byte> memory(device, bytes);
+  const auto value = [](std::size_t k) { return static_cast<std::byte>(mix64(k) & 0xff); };
+  device.copy_in(memory.data(), bytes, [&](std::byte* target, std::size_t first, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) target[k] = value(first + k);
+  });
+  std::size_t read = 0;
+  bool same = true;
+  device.copy_out(memory.data(), bytes, [&](const std::byte* source, std::size_t first, std::size_t count) {
+    EXPECT_EQ(first, read);
+    for (std::size_t k = 0; k < count; ++k) same = same && source[k] == value(first + k);
+    read += count;
+  });
+  EXPECT_TRUE(same);
+  EXPECT_EQ(read, bytes);
+}
+
+}  // namespace
+}  // namespace erg::test

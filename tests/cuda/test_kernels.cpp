@@ -1,0 +1,60 @@
+// The CUDA executor's kernels, run on the processor, give the same bits as the executor `cpu`: terrain, counts, ledger.
+#include <gtest/gtest.h>
+
+#include "cases.h"
+#include "emulated_calls.h"
+
+namespace erg::test {
+namespace {
+
+TEST(CudaKernels, GiveTheSameBitsAsThreads) {
+  for (const Case& scene : cases()) {
+    for (const std::uint64_t shuffle : {1u, 2u}) {
+      const auto card = std::make_shared<Card>();
+      card->shuffle = shuffle;
+      card->threads = static_cast<int>(shuffle);
+      card->block = shuffle == 1 ? 64 : 33;
+      CudaExecutor executor(scene.options(), std::make_unique<EmulatedCalls>(card));
+      expect_same_as_threads(scene, executor);
+    }
+  }
+}
+
+/// Plants of every density, from none to closed, under which steeper slopes stand.
+TEST(CudaKernels, GiveTheSameBitsUnderCover) {
+  for (const double bearing : {270.0, 20.0}) {
+    const World world{.model = "momiji", .extent = {61, 50}, .wind = {bearing, 4}, .sand = 6};
+    CoverField cover(world.extent);
+    for (std::size_t cell = 0; cell < cover.size(); ++cell) {
+      cover[cell] = static_cast<std::uint8_t>(cell % 7 == 0 ? 255 : mix64(cell) % 200);
+    }
+    const auto made = find_model(world.model).make(world.values());
+    const auto run = [&](Executor& executor, Terrain& terrain) {
+      raise_rocks(terrain, 4);
+      SlabLaw law = dynamic_cast<const SlabModel&>(*made).law(terrain);
+      law.neighbours = 8;
+      law.bare = {1, 2};
+      law.covered = {3, 5};
+      law.cover = &cover;
+      for (std::uint64_t step = 0; step < 6; ++step) {
+        law.cover_revision = step / 3;
+        executor.step(terrain, law, world.wind, {world.seed, step});
+      }
+      executor.settle(terrain);
+      return state_hash(terrain);
+    };
+    const ExecutorOptions options{.name = "cpu", .threads = 1, .sweeps = 8};
+    ParallelExecutor cpu(options);
+    CudaExecutor cuda(options, std::make_unique<EmulatedCalls>(std::make_shared<Card>()));
+    Terrain terrain = world.strewn();
+    Terrain emulated = terrain;
+    const std::uint64_t start = state_hash(terrain);
+    const std::uint64_t hash = run(cpu, terrain);
+    EXPECT_NE(hash, start);
+    EXPECT_EQ(run(cuda, emulated), hash) << bearing;
+    EXPECT_EQ(cuda.name(), "cuda");
+  }
+}
+
+}  // namespace
+}  // namespace erg::test
