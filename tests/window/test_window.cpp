@@ -30,7 +30,7 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   const TemporaryFolder folder;
   const Display display;
   DesktopHand hand(display, folder.path(), {"--width", "1280", "--height", "800"});
-  hand.click("GALLERY/transverse");
+  hand.click("GALLERY/barchans");
   hand.wait_for("RUN/play");
   hand.click("SETUP/Model");  // folded away, so that the grid is in sight
   hand.key("space");
