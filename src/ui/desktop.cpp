@@ -152,8 +152,9 @@ void Desktop::save_picture(const PictureOrder& order) {
 bool Desktop::busy() {
   const Activity activity = studio_.now().activity;
   const bool moving = activity == Activity::running || activity == Activity::building;
-  return moving || !shell_.scenery().wanted_view.empty() || land_.unfinished() ||
-         studio_.runner().snapshot()->number != shown_snapshot_ || studio_.log().version() != shown_log_;
+  const bool view_to_come = studio_.now().has_runs() && !shell_.scenery().wanted_view.empty();
+  return moving || view_to_come || land_.unfinished() || studio_.runner().snapshot()->number != shown_snapshot_ ||
+         studio_.log().version() != shown_log_;
 }
 
 void Desktop::draw(int width, int height, float seconds) {

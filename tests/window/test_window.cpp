@@ -30,12 +30,12 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   const TemporaryFolder folder;
   const Display display;
   DesktopHand hand(display, folder.path(), {"--width", "1280", "--height", "800"});
-  hand.click("GALLERY/transverse");
+  hand.click("GALLERY/barchans");
   hand.wait_for("RUN/play");
+  hand.click("SETUP/Model");  // folded away, so that the grid is in sight
   hand.key("space");
   hand.wait_for("RUN/step");
 
-  hand.click("SETUP/Model");  // folded away, so that the grid is in sight
   hand.enter("SETUP/grid/Cells east", "96");
   hand.enter("SETUP/grid/Cells north", "96");
   hand.click("SETUP/CREATE");
@@ -49,6 +49,7 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   hand.enter("WIND/last strength", "9");
   hand.enter("WIND/length", "100");
   hand.drag("WIND/curve/first", 20, -30);
+  keep_picture(hand, "curve.png");
   hand.click("LOOK/show");
   hand.click("LOOK/show=slope");
   hand.key("ctrl+s");
@@ -62,7 +63,7 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   hand.enter("PICTURE/width", "320");
   hand.enter("PICTURE/height", "200");
   hand.click("PICTURE/save picture");
-  hand.click("PICTURE/SAVE");
+  hand.click("PICTURE/SAVE PICTURE/SAVE");
   hand.wait_for("PICTURE/saved", true);
   keep_picture(hand, "picture_dialog.png");
   hand.key("Escape");
