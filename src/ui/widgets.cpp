@@ -285,9 +285,10 @@ std::string parameter_tooltip(const Parameter& parameter) {
 
 /// A curve of points under its label; a row to itself.
 static RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& curve) {
-  const WidgetScope scope(row.label);
   ImGui::TextUnformatted(row.label.c_str());
+  mark(row.label);
   tooltip(row.tooltip);
+  const WidgetScope scope(row.label);
   ImGui::BeginDisabled(!row.unavailable.empty());
   const std::vector<CurvePoint>& standard = std::get<PiecewiseLinear>(parameter.standard).vertices;
   CurveFrame frame;
