@@ -1,15 +1,27 @@
 #include "studio/runner.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <utility>
 
 namespace erg {
+namespace {
+
+/// Lets the window's thread go first where there are no more processors than threads at work. Threads that this one
+/// starts, the executors', inherit it: under Linux a priority is a thread's own.
+void step_aside() {
+  constexpr int politeness = 10;
+  setpriority(PRIO_PROCESS, 0, politeness);  // refused, nothing is lost but some frames
+}
+
+}  // namespace
 
 Runner::Runner(Log& log, std::function<void()> before_step)
-    : log_(log),
-      before_step_(std::move(before_step)),
-      newest_(std::make_shared<const Snapshot>()),
-      thread_([this] { work(); }) {}
+    : log_(log), before_step_(std::move(before_step)), newest_(std::make_shared<const Snapshot>()), thread_([this] {
+        step_aside();
+        work();
+      }) {}
 
 Runner::~Runner() {
   {
