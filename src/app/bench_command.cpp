@@ -10,6 +10,7 @@
 #include "app/render_bench.h"
 #include "app/text_table.h"
 #include "core/terrain.h"
+#include "models/grains.h"
 #include "models/model.h"
 #include "models/slab_model.h"
 #include "render/gl_context.h"
@@ -69,18 +70,25 @@ std::string table_text(const std::vector<BenchRow>& rows, const std::string& exe
          "executor\nwithout the oblique wind, cover or obstacles.\n";
 }
 
-/// Takes the models of single grains out of those to measure (all models when none is named) and returns them.
+template <typename Kind>
+bool is_a(const ModelType& type) {
+  const auto made = type.make(ParameterValues(type.parameters));
+  return dynamic_cast<const Kind*>(made.get()) != nullptr;
+}
+
+/// Takes the models of single grains out of those to measure and returns them. When none is named, all of both kinds
+/// are measured.
 std::vector<std::string> take_grain_models(BenchOptions& options) {
   std::vector<std::string> wanted = options.models;
   if (wanted.empty()) {
-    for (const ModelType& type : catalogue()) wanted.push_back(type.info.key);
+    for (const ModelType& type : catalogue()) {
+      if (is_a<SlabModel>(type) || is_a<GrainModel>(type)) wanted.push_back(type.info.key);
+    }
   }
   options.models.clear();
   std::vector<std::string> grain_models;
   for (const std::string& key : wanted) {
-    const ModelType& type = find_model(key);
-    const auto made = type.make(ParameterValues(type.parameters));
-    (dynamic_cast<const SlabModel*>(made.get()) != nullptr ? options.models : grain_models).push_back(key);
+    (is_a<SlabModel>(find_model(key)) ? options.models : grain_models).push_back(key);
   }
   return grain_models;
 }

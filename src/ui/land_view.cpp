@@ -14,6 +14,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds rest{350};  // without a change before the fine picture is drawn
 
+// So many times as long as a drawing took, land that changes by itself is left as drawn.
+constexpr int breathing_space = 3;
+
 // At rest a picture may take a moment, but not so long that the window seems stuck.
 RenderEffort effort_at_rest(bool software) {
   return software ? RenderEffort{512, 1024, 3, 128, true} : RenderEffort::still();
@@ -46,6 +49,8 @@ struct LandView::Pane final : LandGround {
   bool fine = false;
   int scale = 1;  // drawn pixels for one of the window, each way
   Clock::time_point changed;
+  Clock::time_point drawn;
+  Clock::duration cost{};  // of that drawing
   // The terrain is held as long as the renderer may be asked about it.
   std::shared_ptr<const Terrain> terrain;
   LandBox land;
@@ -63,11 +68,13 @@ LandView::~LandView() = default;
 void LandView::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless) {
   const TerrainView view = view_of_run(run);
   const Clock::time_point now = Clock::now();
-  const bool differs = view.version != pane.version || !(pane.part == pane.drawn_part) || !(look == pane.look) ||
-                       !(camera == pane.camera);
+  const bool by_hand = !(pane.part == pane.drawn_part) || !(look == pane.look) || !(camera == pane.camera);
+  const bool differs = by_hand || view.version != pane.version;
   if (differs || restless) pane.changed = now;
   const bool refine = !pane.fine && now - pane.changed >= rest;
   if (!differs && !refine) return;
+  // Land that changes by itself may be drawn seldom: where drawing is slow, the controls come first.
+  if (!by_hand && !refine && now - pane.drawn < breathing_space * pane.cost) return;
   pane.fine = refine && !differs;
   pane.renderer.set_effort(pane.fine ? effort_at_rest(software_) : RenderEffort::moving(software_));
   // Twice the pixels each way, averaged as they are copied into the window, make edges smooth.
@@ -84,6 +91,8 @@ void LandView::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, c
   pane.drawn_part = pane.part;
   pane.look = look;
   pane.camera = camera;
+  pane.drawn = Clock::now();
+  pane.cost = pane.drawn - now;
 }
 
 void LandView::show(const Pane& pane, int window_height) const {
