@@ -143,7 +143,9 @@ void add_run_command(CLI::App& program, Action& action) {
                       "Folder for the files of the run (default: out, once files are asked for)");
   command->add_option("--every", request->every, "Write the files every so many steps, not only at the end")
       ->check(CLI::PositiveNumber);
-  command->add_option("--format", request->formats, "Files to write, with commas: png,png16,vti,csv,checkpoint,obj,ply,stl")
+  command
+      ->add_option("--format", request->formats,
+                   "Files to write, with commas: png,png16,vti,csv,checkpoint,obj,ply,stl")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(output_formats()));
