@@ -1,0 +1,45 @@
+// TEMPERATURE and the snow of WIND by hand; what the setup received is checked.
+#include <gtest/gtest.h>
+
+#include "panel_hand.h"
+
+namespace erg::test {
+namespace {
+
+TEST(TemperaturePanel, IsWantedForSnowOnly) {
+  PanelHand panel(make_wind_panel());
+  const auto temperature = make_temperature_panel();
+  const Desk desk{panel.studio, {}, LandTool::camera, {}, {}, {}, {}, {}};
+  EXPECT_FALSE(temperature->wanted(desk));
+  panel.studio.setup().choose_material(Material::snow);
+  EXPECT_TRUE(temperature->wanted(desk));
+}
+
+TEST(TemperaturePanel, EndsAreTypedAndTheCurveBetweenThemIsBent) {
+  PanelHand panel(make_temperature_panel());
+  panel.studio.setup().choose_material(Material::snow);
+  panel.hand.frames(2);
+  EXPECT_FALSE(panel.hand.has("TEMPERATURE/curve/box"));  // nothing to bend while both ends are alike
+  panel.hand.enter("TEMPERATURE/at the start", "-20");
+  panel.hand.enter("TEMPERATURE/at the end", "-5");
+  const Temperature& now = panel.studio.setup().config().temperature;
+  EXPECT_EQ(now.first, -20);
+  EXPECT_EQ(now.last, -5);
+  const WidgetPlace box = panel.hand.place("curve/box");
+  panel.hand.drag(panel.hand.place("curve/first").middle(), {box.high.x, box.high.y});
+  EXPECT_NEAR(now.curve.first.x, 1, 0.01);
+  EXPECT_NEAR(now.curve.first.y, 0, 0.01);
+}
+
+TEST(WindPanel, SnowFallsInASeasonOfASnowModel) {
+  PanelHand panel(make_wind_panel());
+  panel.hand.frames(2);
+  EXPECT_FALSE(panel.hand.has("WIND/" + season_snowfall_parameter().label));
+  panel.studio.setup().choose_material(Material::snow);
+  panel.hand.frames(2);
+  panel.hand.enter("WIND/" + season_snowfall_parameter().label, "3");
+  EXPECT_EQ(panel.studio.setup().config().wind.seasons.front().snowfall, 3);
+}
+
+}  // namespace
+}  // namespace erg::test
