@@ -94,7 +94,7 @@ std::string ripples_section(const ValidationOptions& options) {
          "of the ground, cm; flight: mean way of a grain until it rests, cm; impact angle: mean, degrees; cut off: "
          "flights that never ended.\n\n" +
          table.markdown() +
-         "\nRipples lie across the wind and move downwind at every bearing, and length and speed grow with the wind; "
+         "\nRipples lie across the wind and move downwind at every bearing, and length and speed grow with u*; "
          "the "
          "grid is only four\nripples wide, so single runs stand up to 20 degrees askew. **They are too steep**: the "
          "index "
