@@ -135,6 +135,8 @@ void ParallelExecutor::load_cover(const SlabLaw& law) {
 
   Planes<Lane>& mine = planes<Lane>();
   const auto lay_steps = [&](AlignedVector<Lane>& steps, int bare, int covered) {
+    bare = std::min(bare, longest_step);
+    covered = std::min(covered, longest_step);
     steps.resize(bare == covered ? 0 : cover_.size());
     for (std::size_t cell = 0; cell < steps.size(); ++cell) {
       steps[cell] = static_cast<Lane>(cover_[cell] >= law.covered_from ? covered : bare);

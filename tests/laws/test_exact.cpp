@@ -114,6 +114,24 @@ TEST(Exact, NothingStandsSteeperThanRepose) {
   }
 }
 
+TEST(Exact, StepsTooLongForSixteenBitsStand) {
+  CoverField cover(Extent{40, 40}, 255);
+  for (const Machine& machine : machines()) {
+    World world{.extent = cover.extent(), .sand = 30};
+    Terrain terrain = world.strewn();
+    SlabLaw law = flat_bed_law();
+    law.bare = {3, 4};
+    law.covered = {0x10000 - 20, 0x20000 - 20};
+    law.neighbours = 8;
+    law.cover = &cover;
+    const std::uint64_t before = state_hash(terrain);
+    const auto executor = make_executor(machine.options);
+    executor->step(terrain, law, {270, 5}, {3, 0});
+    executor->settle(terrain);
+    EXPECT_EQ(state_hash(terrain), before) << machine.name;
+  }
+}
+
 TEST(Exact, NothingStandsSteeperThanReposeOnSkewedPlanes) {
   // Two blocks of columns whose rows are shifted against each other: every edge of the torus must still be looked at.
   for (const double bearing : {270.0, 248.0, 225.0}) {
