@@ -33,6 +33,7 @@ void DeviceSlabs::allocate(const Terrain& terrain) {
   fit(before_, count);
   fit(after_, count);
   fit(bedrock_, relief_ ? count : 0);
+  fit(cover_, cover_.size() > 0 ? count : 0);
   fit(dark_, count);
   fit(staged_, count);
   fit(shown_, count);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <list>
 
 #include "../laws/world.h"
 #include "cuda/cuda_executor.h"
@@ -188,6 +189,30 @@ TEST(CudaExecutor, LoadsAnewWhatWasEdited) {
     hashes.push_back(state_hash(terrain));
   }
   EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(CudaExecutor, TakesALargerTerrainWithCoverAfterASmallerOne) {
+  const auto card = std::make_shared<Card>();
+  CudaExecutor cuda(two_sweeps, std::make_unique<EmulatedCalls>(card));
+  ParallelExecutor cpu(two_sweeps);
+  std::list<Terrain> terrains;  // all alive, or one may come to lie where another was
+  for (const Extent extent : {Extent{12, 9}, Extent{31, 20}}) {
+    const CoverField cover(extent, 100);
+    std::vector<std::uint64_t> hashes;
+    for (Executor* executor : {static_cast<Executor*>(&cuda), static_cast<Executor*>(&cpu)}) {
+      Terrain& terrain = terrains.emplace_back(World{.extent = extent}.strewn());
+      SlabLaw law;
+      law.cover = &cover;
+      law.cover_revision = extent.cells();
+      executor->step(terrain, law, {270, 3}, {1, 0});
+      executor->settle(terrain);
+      hashes.push_back(state_hash(terrain));
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    const auto bytes = [](const auto& block) { return block.second; };
+    // Shadow and cover: a byte for each cell.
+    EXPECT_EQ(std::ranges::count(card->device_blocks, extent.cells(), bytes), 2);
+  }
 }
 
 TEST(CudaExecutor, CopiesTerrainsThatTakeSeveralPieces) {
