@@ -61,19 +61,13 @@ void DeviceSlabs::copy_layer(const DeviceArray<std::int32_t>& layer, const Value
 void DeviceSlabs::load(const Terrain& terrain, const WindFrame& frame) {
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();
+  const TerrainHeights heights = check_height(terrain);
   frame_ = frame;
   open_ = terrain.boundary() == Boundary::open;
-  base_ = check_height(terrain);
-  relief_ = false;
-  bedrock_total_ = 0;
-  mobile_total_ = 0;
-  std::int32_t highest = 0;
-  for (std::size_t cell = 0; cell < mobile.size(); ++cell) {
-    relief_ = relief_ || bedrock[cell] != base_;
-    highest = std::max(highest, bedrock[cell] - base_ + mobile[cell]);
-    bedrock_total_ += bedrock[cell];
-    mobile_total_ += mobile[cell];
-  }
+  base_ = heights.lowest;
+  relief_ = heights.relief;
+  bedrock_total_ = heights.bedrock_total;
+  mobile_total_ = heights.mobile_total;
   allocate(terrain);
   DevicePlan plan = layout();
   copy_layer(shown_, [&](std::size_t cell) { return bedrock[cell] + mobile[cell] - base_; });
@@ -84,7 +78,7 @@ void DeviceSlabs::load(const Terrain& terrain, const WindFrame& frame) {
     copy_layer(staged_, [&](std::size_t cell) { return bedrock[cell] - base_; });
     device_.launch(DeviceKernel::lay_bedrock, cells(), plan);
   }
-  const std::uint32_t bounds[2] = {static_cast<std::uint32_t>(highest), 0};
+  const std::uint32_t bounds[2] = {static_cast<std::uint32_t>(heights.highest), 0};
   device_.copy_in(highest_.data(), sizeof bounds, [&](std::byte* target, std::size_t first, std::size_t bytes) {
     std::memcpy(target, reinterpret_cast<const std::byte*>(bounds) + first, bytes);
   });

@@ -73,8 +73,16 @@ const std::vector<std::string>& executor_names();
 
 /// The highest cell over the lowest bedrock that executors count, in slabs: 16 bits, with room for what a step may add.
 inline constexpr int highest_terrain = 40000;
-/// The lowest bedrock of a terrain; throws InputError if its highest cell stands more than `highest_terrain` over it.
-std::int32_t check_height(const Terrain& terrain);
+/// What executors need to know of a terrain before they load it.
+struct TerrainHeights {
+  std::int32_t lowest = 0;   ///< bedrock
+  std::int32_t highest = 0;  ///< surface, over the lowest bedrock
+  bool relief = false;       ///< the bedrock is not level
+  std::int64_t bedrock_total = 0;
+  std::int64_t mobile_total = 0;
+};
+/// Throws InputError if the highest cell stands more than `highest_terrain` over the lowest bedrock.
+TerrainHeights check_height(const Terrain& terrain);
 
 /// Throws InputError for an unknown name. "cuda" where no device works is the processor with a notice; "auto" then is
 /// the processor without one.

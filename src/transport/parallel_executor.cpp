@@ -34,9 +34,7 @@ ParallelExecutor::ParallelExecutor(const ExecutorOptions& options) : options_(op
 StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
   largest_step_ = std::max({law.bare.straight, law.covered.straight, law.bare.diagonal, law.covered.diagonal});
-  if (loaded_ != &terrain || revision_ != terrain.revision()) {
-    load(terrain, frame);
-  } else if (!lies_ready_for(frame)) {
+  if (!holds(terrain) || !lies_ready_for(frame)) {
     settle(terrain);
     load(terrain, frame);
   }

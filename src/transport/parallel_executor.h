@@ -72,6 +72,8 @@ class ParallelExecutor : public Executor {
   bool narrow_fits(int highest) const { return highest + largest_step_ < 255; }
 
   std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
+  /// Whether `terrain` is the one that was loaded, and nobody has edited it since.
+  bool holds(const Terrain& terrain) const { return loaded_ == &terrain && revision_ == terrain.revision(); }
   void load(const Terrain& terrain, const WindFrame& frame);
   bool lies_ready_for(const WindFrame& frame) const;
   template <typename Visit>

@@ -10,22 +10,15 @@
 namespace erg {
 
 void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
-  const auto bedrock = terrain.bedrock().cells();
-  const auto mobile = terrain.mobile().cells();
+  const TerrainHeights heights = check_height(terrain);
   frame_ = frame;
   open_ = terrain.boundary() == Boundary::open;
   layout_ = plane_layout(frame, open_);
-  base_ = check_height(terrain);
-  relief_ = false;
-  highest_ = 0;
-  bedrock_total_ = 0;
-  mobile_total_ = 0;
-  for (std::size_t cell = 0; cell < mobile.size(); ++cell) {
-    relief_ = relief_ || bedrock[cell] != base_;
-    highest_ = std::max(highest_, bedrock[cell] - base_ + mobile[cell]);
-    bedrock_total_ += bedrock[cell];
-    mobile_total_ += mobile[cell];
-  }
+  base_ = heights.lowest;
+  relief_ = heights.relief;
+  highest_ = heights.highest;
+  bedrock_total_ = heights.bedrock_total;
+  mobile_total_ = heights.mobile_total;
   narrow_ = narrow_fits(highest_);
   if (narrow_) {
     load_heights<std::uint8_t>(terrain);
@@ -85,7 +78,7 @@ void ParallelExecutor::load_heights(const Terrain& terrain) {
 }
 
 void ParallelExecutor::settle(Terrain& terrain) {
-  if (loaded_ != &terrain || revision_ != terrain.revision()) return;
+  if (!holds(terrain)) return;
   Grid<std::int32_t>& mobile = terrain.edit_mobile();
   const auto write = [&](const auto& mine) {
     visit_cells([&](std::size_t here, std::size_t there) {

@@ -29,9 +29,7 @@ std::uint64_t SerialExecutor::Draws::next() { return mix64(base + 0x9e3779b97f4a
 
 StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
-  if (loaded_ != &terrain || revision_ != terrain.revision()) {
-    load(terrain, frame);
-  } else if (!frame_.same_axes(frame)) {
+  if (!holds(terrain) || !frame_.same_axes(frame)) {
     settle(terrain);
     load(terrain, frame);
   }
@@ -59,19 +57,19 @@ StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const Wind
 }
 
 void SerialExecutor::load(const Terrain& terrain, const WindFrame& frame) {
-  lowest_ = check_height(terrain);
+  const TerrainHeights heights = check_height(terrain);
+  lowest_ = heights.lowest;
+  has_relief_ = heights.relief;
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();
   frame_ = frame;
   surface_.resize(mobile.size());
   bedrock_.resize(mobile.size());
-  has_relief_ = false;
   for (int u = 0; u < frame.width; ++u) {
     for (int v = 0; v < frame.length; ++v) {
       const std::size_t from = frame.cell(u, v);
       bedrock_[index(u, v)] = static_cast<std::uint16_t>(bedrock[from] - lowest_);
       surface_[index(u, v)] = static_cast<std::uint16_t>(bedrock[from] - lowest_ + mobile[from]);
-      has_relief_ = has_relief_ || bedrock[from] != lowest_;
     }
   }
   open_ = terrain.boundary() == Boundary::open;
@@ -81,7 +79,7 @@ void SerialExecutor::load(const Terrain& terrain, const WindFrame& frame) {
 }
 
 void SerialExecutor::settle(Terrain& terrain) {
-  if (loaded_ != &terrain || revision_ != terrain.revision()) return;
+  if (!holds(terrain)) return;
   Grid<std::int32_t>& mobile = terrain.edit_mobile();
   for (int u = 0; u < frame_.width; ++u) {
     for (int v = 0; v < frame_.length; ++v) mobile[frame_.cell(u, v)] = surface_[index(u, v)] - bedrock_[index(u, v)];

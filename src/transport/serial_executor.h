@@ -33,6 +33,8 @@ class SerialExecutor : public Executor {
     double unit() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
   };
 
+  /// Whether `terrain` is the one that was loaded, and nobody has edited it since.
+  bool holds(const Terrain& terrain) const { return loaded_ == &terrain && revision_ == terrain.revision(); }
   void load(const Terrain& terrain, const WindFrame& frame);
   void prepare(const SlabLaw& law, const WindNow& wind, StepKey key);
   void count_heights();
