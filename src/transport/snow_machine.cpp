@@ -8,6 +8,7 @@
 
 #include "transport/box_mean.h"
 #include "transport/fixed_point.h"
+#include "transport/sub_sweep.h"
 
 namespace erg {
 namespace {
@@ -24,23 +25,6 @@ void add(std::int32_t& value, std::int32_t change) {
 
 std::uint64_t cell_word(std::uint64_t word, std::uint64_t number) {
   return mix64(word + 0x9e3779b97f4a7c15u * (number + 1));
-}
-
-/// 256 permutations of K rows, one for each random byte, seen by one sub-sweep: the row of a block that it polls.
-std::vector<std::uint8_t> permuted_rows(StepKey key, int sweep, int sweeps) {
-  std::vector<std::uint8_t> rows(256);
-  std::vector<std::uint8_t> order(static_cast<std::size_t>(sweeps));
-  for (std::uint32_t number = 0; number < 256; ++number) {
-    std::iota(order.begin(), order.end(), std::uint8_t{0});
-    std::uint64_t word = random_word(key, 0, number, lines);
-    for (int last = sweeps - 1; last > 0; --last) {
-      word = mix64(word);
-      const auto other = ((word >> 32) * static_cast<std::uint64_t>(last + 1)) >> 32;
-      std::swap(order[static_cast<std::size_t>(last)], order[other]);
-    }
-    rows[number] = order[static_cast<std::size_t>(sweep)];
-  }
-  return rows;
 }
 
 }  // namespace
@@ -318,7 +302,8 @@ void SnowMachine::fly_one_by_one() {
 
 void SnowMachine::fly_in_sweeps(int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    const std::vector<std::uint8_t> rows = permuted_rows(key_, sweep, sweeps);
+    std::uint8_t rows[256];
+    permute_rows(key_, 0, lines, sweep, sweeps, rows);
     batches_.clear();
     if (sweep == 0) poll_lines(0, 0, -1, sweeps, rows);
     executor_->for_pieces(frame_.width,
@@ -328,8 +313,7 @@ void SnowMachine::fly_in_sweeps(int sweeps) {
 }
 
 /// Decides the flights of the cells that a sub-sweep polls on some lines; sub-sweep -1 is the drift that enters.
-void SnowMachine::poll_lines(std::int64_t begin, std::int64_t end, int sweep, int sweeps,
-                             const std::vector<std::uint8_t>& rows) {
+void SnowMachine::poll_lines(std::int64_t begin, std::int64_t end, int sweep, int sweeps, const std::uint8_t* rows) {
   struct Collected : Batch {
     void change(std::size_t cell, Change change) { events.push_back({static_cast<std::uint32_t>(cell), change}); }
   } collected;

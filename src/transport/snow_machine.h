@@ -29,11 +29,12 @@ struct SnowLayers {
 
 class SnowMachine {
  public:
-  /// One time step. `smooth_radius`, `around_radius`: cells of the boxes for the smoothed surface and its surroundings.
+  /// Cells from the middle to the edge of the boxes over which means are taken.
   struct Radii {
-    int smooth = 3;
-    int around = 10;
+    int smooth = 3;   ///< for the smoothed surface
+    int around = 10;  ///< for its surroundings
   };
+  /// One time step. `shadow_fall`: slabs a cell.
   StepReport step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, Radii radii, double shadow_fall,
                   const WindNow& wind, StepKey key, Executor& executor);
 
@@ -56,7 +57,7 @@ class SnowMachine {
   void measure_line(int line, double shadow_fall, int start_row);
   void fly_one_by_one();
   void fly_in_sweeps(int sweeps);
-  void poll_lines(std::int64_t begin, std::int64_t end, int sweep, int sweeps, const std::vector<std::uint8_t>& rows);
+  void poll_lines(std::int64_t begin, std::int64_t end, int sweep, int sweeps, const std::uint8_t* rows);
   void write_events();
   template <typename Sink>
   void poll(Place place, std::uint64_t word, Sink& sink) const;
@@ -93,7 +94,6 @@ class SnowMachine {
   Radii radii_;
   WindFrame frame_;
   StepKey key_;
-  std::uint64_t word_ = 0;
   std::int64_t tangent_24_ = 0;
   StepReport report_;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "transport/fixed_point.h"
@@ -14,21 +15,6 @@ namespace {
 
 /// What the random words of a step are for; each has a key space of its own.
 enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations };
-
-/// 256 permutations of K rows, one for each random byte, seen by one sub-sweep of the round: the row it polls.
-void permute_rows(StepKey key, int round, int sweep, SubSweep& drawn) {
-  std::array<std::uint8_t, 64> order{};
-  for (std::uint32_t number = 0; number < 256; ++number) {
-    for (int k = 0; k < drawn.sweeps; ++k) order[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(k);
-    std::uint64_t word = random_word(key, static_cast<std::uint64_t>(round), number, permutations);
-    for (int last = drawn.sweeps - 1; last > 0; --last) {
-      word = mix64(word);
-      const auto other = static_cast<std::size_t>(((word >> 32) * static_cast<std::uint64_t>(last + 1)) >> 32);
-      std::swap(order[static_cast<std::size_t>(last)], order[other]);
-    }
-    drawn.polled_row[number] = order[static_cast<std::size_t>(sweep)];
-  }
-}
 
 void draw_lines(const WindFrame& frame, StepKey key, std::uint64_t line_age, SubSweep& drawn) {
   if (frame.tangent <= 0) return;
@@ -49,6 +35,21 @@ void draw_slide_order(const SlabLaw& law, StepKey key, std::uint64_t sweep, SubS
 
 }  // namespace
 
+void permute_rows(StepKey key, std::uint64_t round, std::uint64_t draw, int sweep, int sweeps,
+                  std::uint8_t (&polled_row)[256]) {
+  std::array<std::uint8_t, 64> order{};
+  for (std::uint32_t number = 0; number < 256; ++number) {
+    std::iota(order.begin(), order.begin() + sweeps, std::uint8_t{0});
+    std::uint64_t word = random_word(key, round, number, draw);
+    for (int last = sweeps - 1; last > 0; --last) {
+      word = mix64(word);
+      const auto other = static_cast<std::size_t>(((word >> 32) * static_cast<std::uint64_t>(last + 1)) >> 32);
+      std::swap(order[static_cast<std::size_t>(last)], order[other]);
+    }
+    polled_row[number] = order[static_cast<std::size_t>(sweep)];
+  }
+}
+
 SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, int sweep, int sweeps) {
   const int round = sweep / sweeps;
   const auto number = static_cast<std::uint64_t>(sweep);
@@ -59,7 +60,9 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   const std::uint64_t line_age = law.repeated_polling ? number : static_cast<std::uint64_t>(round) << 32;
   drawn.poll_word = random_word(key, line_age, 0, polls);
   drawn.permuted = !law.repeated_polling;
-  if (drawn.permuted) permute_rows(key, round, sweep % sweeps, drawn);
+  if (drawn.permuted) {
+    permute_rows(key, static_cast<std::uint64_t>(round), permutations, sweep % sweeps, sweeps, drawn.polled_row);
+  }
   draw_lines(frame, key, line_age, drawn);
   drawn.p_sand_16 = static_cast<std::uint32_t>(std::llround(law.p_sand * 65536));
   drawn.p_bare_16 = static_cast<std::uint32_t>(std::llround(law.p_bare * 65536));

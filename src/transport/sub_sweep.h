@@ -50,6 +50,11 @@ struct SubSweep {
 /// Rows of a block of lines: each line is polled in at most one row of each block.
 ERG_CELL_RULE int poll_rows(const SubSweep& sweep) { return sweep.permuted ? sweep.sweeps : sweep.sweeps / 2; }
 
+/// 256 permutations of K rows, one for each random byte, as sub-sweep `sweep` of the K of a round sees them: the row of
+/// a block that it polls. `draw`: what random_word calls these words.
+void permute_rows(StepKey key, std::uint64_t round, std::uint64_t draw, int sweep, int sweeps,
+                  std::uint8_t (&polled_row)[256]);
+
 /// Sub-sweep number `sweep` (from 0) of the step `key`, of `sweeps` (K) that make a step.
 SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, int sweep, int sweeps);
 
