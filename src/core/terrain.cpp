@@ -1,11 +1,23 @@
 #include "core/terrain.h"
 
+#include <algorithm>
 #include <bit>
 #include <numeric>
+#include <utility>
 
 #include "core/random.h"
 
 namespace erg {
+
+const Field* find_field(const std::vector<Field>& fields, std::string_view key) {
+  const auto found =
+      std::ranges::find(fields, key, [](const Field& field) { return std::string_view(field.info.key); });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+Field* find_field(std::vector<Field>& fields, std::string_view key) {
+  return const_cast<Field*>(find_field(std::as_const(fields), key));
+}
 
 Terrain::Terrain(Extent extent, double cell_size, double quantum, Boundary boundary)
     : cell_size_(cell_size), quantum_(quantum), boundary_(boundary), bedrock_(extent), mobile_(extent) {}

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/grid.h"
@@ -34,6 +35,10 @@ struct Field {
   FieldInfo info;
   Grid<float> values;
 };
+
+/// The layer with this key; null if there is none.
+Field* find_field(std::vector<Field>& fields, std::string_view key);
+const Field* find_field(const std::vector<Field>& fields, std::string_view key);
 
 /// Exact account of the mobile material, in quanta: start + in - out = now, always.
 struct MassLedger {

@@ -22,13 +22,6 @@ constexpr Way ways[4] = {{1, 0}, {0, 1}, {1, 1}, {-1, 1}};
 // How many columns a line along the wind has moved sideways when it meets row `v`.
 int sideways_at(const WindFrame& frame, int v) { return static_cast<int>(std::floor(v * frame.tangent + 0.5)); }
 
-const Field* find_field(const Terrain& terrain, const char* key) {
-  for (const Field& field : terrain.fields()) {
-    if (field.info.key == key) return &field;
-  }
-  return nullptr;
-}
-
 /// The wake of plants along the wind.
 class Wake {
  public:
@@ -64,17 +57,16 @@ class Wake {
 
 }  // namespace
 
-std::vector<float> plant_shelter(const ParameterValues& values, const Terrain& terrain, const WindFrame& frame) {
+std::vector<float> plant_shelter(const ParameterValues& values, const Terrain& terrain, const Grid<float>& plants,
+                                 const WindFrame& frame) {
   std::vector<float> shelter(terrain.extent().cells(), 1.0f);
-  const Field* plants = find_field(terrain, plants_field);
-  if (plants == nullptr) return shelter;
   const Wake wake(values, frame, terrain.cell_size());
   const bool torus = terrain.boundary() == Boundary::torus;
   const int reach_u = std::min(wake.reach(), frame.width);
   const int reach_v = std::min(wake.reach(), frame.length);
   for (int v = 0; v < frame.length; ++v) {
     for (int u = 0; u < frame.width; ++u) {
-      const double cover = std::min(1.0f, plants->values[frame.cell(u, v)]);
+      const double cover = std::min(1.0f, plants[frame.cell(u, v)]);
       if (cover <= 0) continue;
       for (int dv = 0; dv <= reach_v; ++dv) {
         for (int du = -reach_u; du <= reach_u; ++du) {
@@ -91,17 +83,17 @@ std::vector<float> plant_shelter(const ParameterValues& values, const Terrain& t
   return shelter;
 }
 
-void GrainBed::load(const Terrain& terrain, const WindFrame& frame, double fall, std::vector<float> shelter) {
+void GrainBed::load(const Terrain& terrain, const WindFrame& frame, double fall, const std::vector<float>& shelter) {
   frame_ = frame;
   torus_ = terrain.boundary() == Boundary::torus;
   quantum_ = terrain.quantum();
   fall_ = fall;
-  shelter_ = std::move(shelter);
+  shelter_ = shelter;
   const std::size_t cells = terrain.extent().cells();
   for (Counts* counts : {&bedrock_, &mobile_, &bonded_, &gone_, &come_, &stirred_, &asked_, &asked_speed_}) {
     counts->assign(cells, 0);
   }
-  const Field* bonded = find_field(terrain, bonded_field);
+  const Field* bonded = find_field(terrain.fields(), bonded_field);
   lowest_ = std::numeric_limits<std::int32_t>::max();
   for (int v = 0; v < frame.length; ++v) {
     for (int u = 0; u < frame.width; ++u) {
@@ -119,10 +111,7 @@ void GrainBed::load(const Terrain& terrain, const WindFrame& frame, double fall,
 
 void GrainBed::store(Terrain& terrain) const {
   Grid<std::int32_t>& mobile = terrain.edit_mobile();
-  Field* bonded = nullptr;
-  for (Field& field : terrain.edit_fields()) {
-    if (field.info.key == bonded_field) bonded = &field;
-  }
+  Field* bonded = find_field(terrain.edit_fields(), bonded_field);
   for (int v = 0; v < frame_.length; ++v) {
     for (int u = 0; u < frame_.width; ++u) {
       const std::size_t to = frame_.cell(u, v);
@@ -154,12 +143,11 @@ void GrainBed::freeze(Executor& executor) {
 
 void GrainBed::freeze_heights(std::int64_t first_row, std::int64_t last_row) {
   for (int v = static_cast<int>(first_row); v < last_row; ++v) {
-    GroundPoint* const row = points_.data() + static_cast<std::size_t>(v + 1) * (frame_.width + 2) + 1;
     for (int u = 0; u < frame_.width; ++u) {
       const std::size_t cell = at(u, v);
       const std::int64_t count = static_cast<std::int64_t>(bedrock_[cell]) + mobile_[cell] - lowest_;
-      row[u] = {static_cast<float>(static_cast<double>(count) * quantum_), no_shadow, shelter_[cell],
-                mobile_[cell] - bonded_[cell]};
+      point(u, v) = {static_cast<float>(static_cast<double>(count) * quantum_), no_shadow, shelter_[cell],
+                     mobile_[cell] - bonded_[cell]};
     }
   }
 }
@@ -189,19 +177,15 @@ void GrainBed::freeze_shadow(std::int64_t first_line, std::int64_t last_line, in
       const int sideways = sideways_at(frame_, row);
       const int column = wrap(line + sideways, frame_.width);
       if (!torus_ && row > start && column == 0 && sideways != sideways_at(frame_, row - 1)) far = near = no_shadow;
-      GroundPoint& point =
-          points_[static_cast<std::size_t>(wrap(row, frame_.length) + 1) * (frame_.width + 2) + column + 1];
-      if (row >= 0) point.shadow = std::max(far, near);
-      far = std::max(point.height, far) - fall_far;
-      near = point.height - fall_near;
+      GroundPoint& here = point(column, wrap(row, frame_.length));
+      if (row >= 0) here.shadow = std::max(far, near);
+      far = std::max(here.height, far) - fall_far;
+      near = here.height - fall_near;
     }
   }
 }
 
 void GrainBed::freeze_rim() {
-  const auto point = [this](int u, int v) -> GroundPoint& {
-    return points_[static_cast<std::size_t>(v + 1) * (frame_.width + 2) + u + 1];
-  };
   const auto inside = [this](int place, int count) {
     return torus_ ? wrap(place, count) : std::clamp(place, 0, count - 1);
   };

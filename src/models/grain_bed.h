@@ -18,14 +18,15 @@ namespace erg {
 inline constexpr const char* plants_field = "vegetation";
 inline constexpr const char* bonded_field = "bonded";
 
-/// The share of the wind that the terrain's plants leave in each cell of the frame (1 without plants): next to nothing
+/// The share of the wind that these plants leave in each cell of the frame (1 without plants): next to nothing
 /// where a plant stands, less and less taken away along the wake behind it.
-std::vector<float> plant_shelter(const ParameterValues& values, const Terrain& terrain, const WindFrame& frame);
+std::vector<float> plant_shelter(const ParameterValues& values, const Terrain& terrain, const Grid<float>& plants,
+                                 const WindFrame& frame);
 
 class GrainBed {
  public:
   /// Takes the terrain's layers into the frame. `fall`: of the shadow line, quanta a cell.
-  void load(const Terrain& terrain, const WindFrame& frame, double fall, std::vector<float> shelter);
+  void load(const Terrain& terrain, const WindFrame& frame, double fall, const std::vector<float>& shelter);
   /// Writes mobile layer and bonded grains back.
   void store(Terrain& terrain) const;
 
@@ -67,6 +68,8 @@ class GrainBed {
   std::size_t at(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(frame_.width) + static_cast<std::size_t>(u);
   }
+  /// A point of the frozen ground or of its rim.
+  GroundPoint& point(int u, int v) { return points_[static_cast<std::size_t>(v + 1) * (frame_.width + 2) + u + 1]; }
   void add(Counts& counts, int u, int v, std::int32_t amount);
   void freeze_heights(std::int64_t first_row, std::int64_t last_row);
   void freeze_shadow(std::int64_t first_line, std::int64_t last_line, int start);

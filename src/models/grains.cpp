@@ -50,13 +50,6 @@ std::vector<FieldInfo> grain_fields() {
            "freed by impacts only."}};
 }
 
-bool has_field(const Terrain& terrain, const std::string& key) {
-  for (const Field& field : terrain.fields()) {
-    if (field.info.key == key) return true;
-  }
-  return false;
-}
-
 // Discs of cover around points that fill the plane evenly: Roberts' R2 sequence.
 Grid<float> strewn_plants(const Terrain& terrain, std::int64_t plants, double diameter) {
   constexpr double plastic = 1.32471795724474602596;
@@ -77,10 +70,6 @@ Grid<float> strewn_plants(const Terrain& terrain, std::int64_t plants, double di
   }
   return cover;
 }
-
-}  // namespace
-
-namespace {
 
 /// One thread's share of the sums.
 struct Share {
@@ -134,8 +123,9 @@ double GrainModel::shadow_fall(double cell_size) const {
 }
 
 void GrainModel::begin(Terrain& terrain) {
+  shelter_.clear();
   for (const FieldInfo& info : grain_fields()) {
-    if (has_field(terrain, info.key)) continue;
+    if (find_field(terrain.fields(), info.key) != nullptr) continue;
     const bool plants = info.key == plants_field;
     terrain.edit_fields().push_back(
         {info, plants ? strewn_plants(terrain, values_.integer("plants"), values_.real("plant_diameter"))
@@ -248,6 +238,17 @@ void GrainModel::trace_paths(const Terrain& terrain, const WindFrame& frame, con
   paths_ = watch.take_paths();
 }
 
+/// What plants leave of the wind, worked out anew only where they or the wind's bearing have changed.
+const std::vector<float>& GrainModel::shelter(const Terrain& terrain, const WindFrame& frame, double bearing) {
+  const Grid<float>& plants = find_field(terrain.fields(), plants_field)->values;
+  if (shelter_.empty() || bearing != shelter_bearing_ || plants != shelter_plants_) {
+    shelter_ = plant_shelter(values_, terrain, plants, frame);
+    shelter_bearing_ = bearing;
+    shelter_plants_ = plants;
+  }
+  return shelter_;
+}
+
 StepReport GrainModel::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
   executor.settle(terrain);
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
@@ -255,7 +256,7 @@ StepReport GrainModel::step(Terrain& terrain, const WindNow& wind, StepKey key, 
   const StandingSteps standing =
       StandingSteps::of_angle(values_.real("repose_angle"), terrain.cell_size(), terrain.quantum());
   const int sub_steps = static_cast<int>(values_.integer("sub_steps"));
-  bed_.load(terrain, frame, shadow_fall(terrain.cell_size()), plant_shelter(values_, terrain, frame));
+  bed_.load(terrain, frame, shadow_fall(terrain.cell_size()), shelter(terrain, frame, wind.bearing));
   paths_.clear();
   Totals totals;
   for (int sub_step = 0; sub_step < sub_steps; ++sub_step) {

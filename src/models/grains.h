@@ -42,6 +42,7 @@ class GrainModel : public Model {
   struct Totals;
   struct Hopper;
 
+  const std::vector<float>& shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
   void fly_all(const GrainLaw& law, StepKey key, int sub_step, Executor& executor, Totals& totals);
   void let_in(const GrainLaw& law, double inflow, StepKey key, int sub_step, Totals& totals);
   void splash(const GrainLaw& law, StepKey key, int sub_step, Executor& executor, Totals& totals);
@@ -50,6 +51,9 @@ class GrainModel : public Model {
 
   ParameterValues values_;
   GrainBed bed_;
+  std::vector<float> shelter_;
+  double shelter_bearing_ = 0;  // of the wind that shelter_ is for
+  Grid<float> shelter_plants_;  // of which it was made
   FlightSums flights_;
   std::int64_t lifts_ = 0;
   std::int64_t cut_off_ = 0;  // since the run was begun or taken up

@@ -234,6 +234,23 @@ TEST(Grains, PlantsGatherSandInTheirWake) {
   EXPECT_GT(wake, 16 * 16 * 8) << "at least eight parcels a cell more than at first";
 }
 
+TEST(Grains, PlantsShelterWhereTheyStandNowFromTheWindThatBlowsNow) {
+  const std::vector<std::pair<std::string, ParameterValue>> settings = {{"plants", std::int64_t{1}}};
+  GrainRun run(settings, {48, 40});
+  GrainRun anew(settings, {48, 40});
+  for (const double bearing : {270.0, 270.0, 200.0, 235.0}) {
+    run.steps(1, {bearing, 9});
+    GrainModel other(grain_values(settings));  // which knows nothing of the steps before
+    other.begin(anew.terrain);
+    other.step(anew.terrain, {bearing, 9}, {5, anew.step++}, *anew.executor);
+    EXPECT_EQ(state_hash(run.terrain), state_hash(anew.terrain)) << "step " << run.step;
+    for (GrainRun* one : {&run, &anew}) {
+      const int x = static_cast<int>(7 * one->step);
+      find_field(one->terrain.edit_fields(), plants_field)->values(x, 20) = 1;
+    }
+  }
+}
+
 TEST(Grains, SnowThatRestsFlattensAndHardens) {
   GrainRun run({{"grain_density", 917.0}, {"bonding_time", 20.0}, {"settling", 0.02}}, {48, 48});
   const std::int64_t fresh = run.steps(30, {270, 9}).lifts / 30;

@@ -16,8 +16,7 @@ Config plants(std::vector<std::string> settings) {
 }
 
 const Grid<float>& field(const Terrain& terrain, const std::string& key) {
-  const auto found = std::ranges::find(terrain.fields(), key, [](const Field& one) { return one.info.key; });
-  return found->values;
+  return find_field(terrain.fields(), key)->values;
 }
 
 TEST(Plants, GrowByTheCurveOfTheYearlyBalance) {

@@ -17,7 +17,7 @@ Config snow(const std::string& model, const std::vector<std::string>& settings) 
 }
 
 const Grid<float>& field(const Terrain& terrain, const std::string& key) {
-  return std::ranges::find(terrain.fields(), key, [](const Field& one) { return one.info.key; })->values;
+  return find_field(terrain.fields(), key)->values;
 }
 
 std::int64_t frozen_on_day(const std::string& executor, double first, double last, std::int64_t steps = 100) {
