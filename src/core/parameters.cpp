@@ -150,6 +150,11 @@ Parameter at_start(Parameter parameter) {
   return parameter;
 }
 
+Parameter only_when(Parameter parameter, std::vector<std::string> condition) {
+  parameter.only_when = std::move(condition);
+  return parameter;
+}
+
 std::optional<Mistake> check_value(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
   switch (parameter.kind) {
     case ParameterKind::real:

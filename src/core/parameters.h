@@ -52,6 +52,8 @@ Parameter choice_parameter(std::string key, std::string label, std::string stand
 Parameter path_parameter(std::string key, std::string label, std::string meaning);
 /// The same declaration, marked as read only when the terrain is made.
 Parameter at_start(Parameter parameter);
+/// The same declaration with its `only_when`.
+Parameter only_when(Parameter parameter, std::vector<std::string> condition);
 
 /// Where a curve's x runs.
 struct CurveRange {

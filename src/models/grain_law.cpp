@@ -63,8 +63,9 @@ Parameters air_and_grain_parameters() {
   return {
       choice_parameter("strength_is", "The wind's strength is", "speed", {"speed", "friction_velocity"},
                        "speed: m/s at wind_height; friction_velocity: m/s, the shear of the wind on the ground."),
-      real_parameter("wind_height", "Height of the wind's speed", "m", 10, 0.1, 100,
-                     "Height above the ground at which the wind has the speed given as its strength."),
+      only_when(real_parameter("wind_height", "Height of the wind's speed", "m", 10, 0.1, 100,
+                               "Height above the ground at which the wind has the speed given as its strength."),
+                {"strength_is", "speed"}),
       real_parameter("air_density", "Density of the air", "kg/m3", 1.1644, 0.01, 10, "Density of the air.",
                      "Cimbura 2022, sec. 5.11"),
       real_parameter("grain_density", "Density of a grain", "kg/m3", 2655, 100, 10000,
@@ -175,9 +176,6 @@ Parameters grain_parameters() {
   Parameters all = air_and_grain_parameters();
   for (const Parameters& more : {flight_parameters(), bed_parameters(), plant_and_snow_parameters()}) {
     all.insert(all.end(), more.begin(), more.end());
-  }
-  for (Parameter& parameter : all) {
-    if (parameter.key == "wind_height") parameter.only_when = {"strength_is", "speed"};
   }
   return all;
 }

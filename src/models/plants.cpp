@@ -50,11 +50,6 @@ const std::array<SpeciesInfo, 3>& species_infos() {
   return infos;
 }
 
-Parameter only_when(Parameter parameter, std::vector<std::string> condition) {
-  parameter.only_when = std::move(condition);
-  return parameter;
-}
-
 // A rectangle in shares of the grid.
 struct Rectangle {
   double west, south, east, north;

@@ -13,11 +13,6 @@ namespace {
 constexpr const char* default_model = "momiji";
 constexpr std::int64_t most_steps = 1'000'000'000;
 
-Parameter only_when(Parameter parameter, std::vector<std::string> condition) {
-  parameter.only_when = std::move(condition);
-  return parameter;
-}
-
 /// Marks all of a group as read only when the terrain is made.
 Parameters all_at_start(Parameters parameters) {
   for (Parameter& parameter : parameters) parameter.at_start = true;
