@@ -181,7 +181,7 @@ class SnowSintering : public Model {
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override;
 
  private:
-  void prepare_law(const Terrain& terrain, std::uint64_t seed);
+  void prepare_law(const Terrain& terrain);
   void update_law(const WindNow& wind, StepKey key);
   void load_layers(const Terrain& terrain);
   void save_layers(Terrain& terrain, bool with_strength, Executor* executor);
@@ -195,13 +195,12 @@ class SnowSintering : public Model {
   SnowLaw law_;
   SnowMachine machine_;
   SnowLayers layers_;
-  bool prepared_ = false;
   std::uint64_t terrain_revision_ = 0;
   std::uint64_t fields_revision_ = 0;
 };
 
 void SnowSintering::begin(Terrain& terrain) {
-  prepared_ = false;
+  prepare_law(terrain);
   fields_revision_ = 0;
   if (!terrain.fields().empty()) return;
   std::vector<Field>& fields = terrain.edit_fields();
@@ -215,15 +214,12 @@ void SnowSintering::begin(Terrain& terrain) {
     fields[age].values[cell] = hard > 0 ? static_cast<float>(hours) : 0.0f;
     fields[landed].values[cell] = static_cast<float>(-hours);
   }
-  prepare_law(terrain, seed_);
   load_layers(terrain);
   save_layers(terrain, true, nullptr);
 }
 
 /// What does not change over the run: tables and scales.
-void SnowSintering::prepare_law(const Terrain& terrain, std::uint64_t seed) {
-  if (prepared_) return;
-  prepared_ = true;
+void SnowSintering::prepare_law(const Terrain& terrain) {
   const double cell_size = terrain.cell_size();
   const auto real = [this](const char* key) { return static_cast<float>(values_.real(key)); };
   law_ = {};
@@ -251,7 +247,7 @@ void SnowSintering::prepare_law(const Terrain& terrain, std::uint64_t seed) {
                  : pattern == "layers" ? StrengthPattern::layers
                  : pattern == "both"   ? StrengthPattern::both
                                        : StrengthPattern::even;
-  law_.noise_word = mix64(seed ^ 0x73746167u);
+  law_.noise_word = mix64(seed_ ^ 0x73746167u);
   law_.noise_columns =
       std::max(1, static_cast<int>(std::lround(terrain.nx() * cell_size / values_.real("patch_length"))));
   law_.noise_rows = std::max(1, static_cast<int>(std::lround(terrain.ny() * cell_size / values_.real("patch_length"))));
@@ -320,7 +316,6 @@ void SnowSintering::save_layers(Terrain& terrain, bool with_strength, Executor* 
 }
 
 StepReport SnowSintering::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
-  prepare_law(terrain, key.seed);
   if (fields_revision_ != terrain.fields_revision() || terrain_revision_ != terrain.revision()) load_layers(terrain);
   update_law(wind, key);
   const double cell_size = terrain.cell_size();
