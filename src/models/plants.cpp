@@ -199,7 +199,7 @@ const CoverField& Plants::cover(Terrain& terrain) {
   Grid<float>& shown = terrain.edit_fields()[vegetation].values;
   for (std::size_t cell = 0; cell < cover_.size(); ++cell) {
     shown[cell] = std::clamp(total(terrain, cell), 0.0f, 1.0f);
-    cover_[cell] = static_cast<std::uint8_t>(shown[cell] * 255.0f + 0.5f);
+    cover_[cell] = cover_of(shown[cell]);
   }
   fields_revision_ = terrain.fields_revision();
   ++cover_revision_;
@@ -244,7 +244,7 @@ bool Plants::grow(Terrain& terrain, StepKey key, Executor& executor) {
       }
       const float acting = std::clamp(total(terrain, cell), 0.0f, 1.0f);
       fields[vegetation].values[cell] = acting;
-      changes = changes || gained != 0 || (slabs > 0 && acting * 255.0f + 0.5f < 255.0f);
+      changes = changes || gained != 0 || (slabs > 0 && cover_of(acting) < 255);
     }
     if (changes) alive.store(true, std::memory_order_relaxed);
   });

@@ -1,4 +1,4 @@
-// What Werner, Momiji and Bishop share: the slab parameters, and the law made from them.
+// What Werner, Momiji, Bishop and the models built on them share: the slab parameters, and the law made from them.
 #pragma once
 
 #include "models/model.h"

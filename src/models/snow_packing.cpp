@@ -125,7 +125,7 @@ class SnowPacking : public SlabModel {
     const Grid<float>& held = terrain.fields()[resistance].values;
     cover_ = CoverField(terrain.extent());
     for (std::size_t cell = 0; cell < cover_.size(); ++cell) {
-      cover_[cell] = static_cast<std::uint8_t>(std::clamp(held[cell], 0.0f, 1.0f) * 255.0f + 0.5f);
+      cover_[cell] = cover_of(std::clamp(held[cell], 0.0f, 1.0f));
     }
     fields_revision_ = terrain.fields_revision();
     ++cover_revision_;

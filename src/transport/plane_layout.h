@@ -18,8 +18,8 @@ inline constexpr int tile_rows = 32;
 /// threads which work on different columns touch different memory (and what their prefetchers read ahead is their own).
 ///
 /// The planes of an oblique wind are *skewed*: column u of row v stands in *place* u - skew(v), round the torus, so
-/// that lines, which drift sideways with the wind, stay in a block from the first row to the last (but for two
-/// columns).
+/// that lines, which drift sideways with the wind, stay in a block from the first row to the last (but for a few
+/// places: most_lead in sweep.h).
 struct PlaneLayout {
   int width = 0;
   int length = 0;

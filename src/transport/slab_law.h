@@ -11,6 +11,8 @@ namespace erg {
 
 /// Cover as executors use it: 255 is rho = 1 (nothing lifts, everything that lands stays), 0 is bare.
 using CoverField = Grid<std::uint8_t>;
+/// The cover that an effectiveness rho in [0, 1] means.
+inline std::uint8_t cover_of(float rho) { return static_cast<std::uint8_t>(rho * 255.0f + 0.5f); }
 
 /// How far a slab flies in one hop, in cells, from ground of height h (slabs):
 ///
