@@ -81,8 +81,7 @@ class Contestant {
 
 /// What is measured beside serial on `threads` threads, and where `beside_one` on one thread too.
 std::vector<ExecutorOptions> measured_options(const BenchOptions& options, bool beside_one) {
-  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int threads = options.threads > 0 ? options.threads : processors;
+  const int threads = bench_threads(options);
   const std::vector<int> sweeps = options.sweeps > 0 ? std::vector<int>{options.sweeps} : std::vector<int>{8, 16};
   std::vector<ExecutorOptions> all;
   for (const int k : sweeps) {
@@ -176,6 +175,10 @@ std::vector<BenchRow> bench_model(const std::string& model, const BenchOptions& 
 }
 
 }  // namespace
+
+int bench_threads(const BenchOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 std::vector<BenchRow> run_bench(const BenchOptions& options) {
   std::vector<BenchRow> rows;

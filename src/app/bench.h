@@ -16,6 +16,9 @@ struct BenchOptions {
   double bearing = 270;             ///< degrees
 };
 
+/// How many threads are measured beside one.
+int bench_threads(const BenchOptions& options);
+
 /// One measured executor on one scene.
 struct BenchRow {
   std::string model;

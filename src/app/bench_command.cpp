@@ -131,7 +131,8 @@ void add_bench_command(CLI::App& program, Action& action) {
   command->add_option("--grid", options->bench.grid, "Cells a side")
       ->capture_default_str()
       ->check(CLI::Range(16, largest_side));
-  command->add_option("--model", options->bench.models, "Model to measure (may be repeated; default: all)");
+  command->add_option("--model", options->bench.models,
+                      "Model to measure (may be repeated; default: all of slabs or single grains)");
   command->add_option("--executor", options->bench.executor, "Executor to measure beside serial: cpu or cuda")
       ->capture_default_str()
       ->check(CLI::IsMember({"cpu", "cuda"}));

@@ -38,7 +38,7 @@ std::optional<int> run_program(std::vector<std::string> words) {
 
 }  // namespace
 
-Film::Film(const fs::path& folder, const std::string& name, std::int64_t every, PictureRequest request,
+Film::Film(const fs::path& folder, const std::string& name, std::int64_t every, const PictureRequest& request,
            Simulation& simulation)
     : frames_(folder / (name + "-frames")), movie_(folder / (name + ".mp4")), every_(every) {
   std::error_code failed;
@@ -52,6 +52,7 @@ Film::Film(const fs::path& folder, const std::string& name, std::int64_t every, 
 void Film::add_frame(Simulation& simulation) {
   const std::int64_t number = simulation.step_count() / every_;
   if (first_ < 0) first_ = number;
+  last_ = number;
   char file[32];
   std::snprintf(file, sizeof file, "%06lld.png", static_cast<long long>(number));
   const RunView run(simulation);
@@ -67,9 +68,12 @@ void Film::add_frame(Simulation& simulation) {
 void Film::finish(bool quiet) const {
   if (!quiet) std::cout << "  wrote frames into " << frames_.string() << "\n";
   const std::string even = "scale=trunc(iw/2)*2:trunc(ih/2)*2";  // the codec wants even sides
-  const std::optional<int> ended = run_program(
-      {"ffmpeg", "-y", "-loglevel", "error", "-framerate", "25", "-start_number", std::to_string(first_), "-i",
-       (frames_ / "%06d.png").string(), "-vf", even, "-c:v", "libx264", "-pix_fmt", "yuv420p", movie_.string()});
+  // Only so many: the frames of an earlier, longer run may lie behind them.
+  const std::string count = std::to_string(last_ - first_ + 1);
+  const std::optional<int> ended =
+      run_program({"ffmpeg", "-y", "-loglevel", "error", "-framerate", "25", "-start_number", std::to_string(first_),
+                   "-i", (frames_ / "%06d.png").string(), "-frames:v", count, "-vf", even, "-c:v", "libx264",
+                   "-pix_fmt", "yuv420p", movie_.string()});
   if (!ended || *ended == 127) {
     std::cerr << "No film was made: ffmpeg is not installed (apt-get install ffmpeg). The frames are in "
               << frames_.string() << "\n";

@@ -15,7 +15,7 @@ class Film {
  public:
   /// Frames go into `folder`/`name`-frames (made when missing), one every `every` steps. Throws InputError for wrong
   /// picture options, where nothing can be drawn, and where it cannot write.
-  Film(const std::filesystem::path& folder, const std::string& name, std::int64_t every, PictureRequest request,
+  Film(const std::filesystem::path& folder, const std::string& name, std::int64_t every, const PictureRequest& request,
        Simulation& simulation);
 
   /// Draws the present state. The camera stays where it was planned at first.
@@ -32,6 +32,7 @@ class Film {
   std::unique_ptr<Renderer> renderer_;
   PicturePlan plan_;
   std::int64_t first_ = -1;  // number of the first frame
+  std::int64_t last_ = -1;   // and of the last one
 };
 
 }  // namespace erg

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <thread>
 
 #include "app/bench.h"
 #include "app/text_table.h"
@@ -58,8 +57,7 @@ ModelBenchRow measure_grains(const std::string& model, int side, const std::stri
 }  // namespace
 
 std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOptions& options) {
-  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int threads = options.threads > 0 ? options.threads : processors;
+  const int threads = bench_threads(options);
   const int side = std::min(options.grid, largest_bench_side);
   std::fprintf(stderr, "bench: measuring %s, %d x %d cells\n", model.c_str(), side, side);
   std::vector<ModelBenchRow> rows{measure_grains(model, side, "serial", 1), measure_grains(model, side, "cpu", 1)};

@@ -145,7 +145,7 @@ void add_run_command(CLI::App& program, Action& action) {
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--format", request->formats,
-                   "Files to write, with commas: png,png16,vti,csv,checkpoint,obj,ply,stl")
+                   "Files to write, with commas (default, once files are asked for: all but obj, ply, stl)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(output_formats()));

@@ -33,13 +33,17 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-const std::vector<std::string>& output_formats() {
-  static const std::vector<std::string> formats{"png", "png16", "vti", "csv", "checkpoint", "obj", "ply", "stl"};
+const std::vector<std::string>& usual_formats() {
+  static const std::vector<std::string> formats{"png", "png16", "vti", "csv", "checkpoint"};
   return formats;
 }
 
-const std::vector<std::string>& usual_formats() {
-  static const std::vector<std::string> formats{"png", "png16", "vti", "csv", "checkpoint"};
+const std::vector<std::string>& output_formats() {
+  static const std::vector<std::string> formats = [] {
+    std::vector<std::string> all = usual_formats();
+    all.insert(all.end(), {"obj", "ply", "stl"});
+    return all;
+  }();
   return formats;
 }
 

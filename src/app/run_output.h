@@ -23,9 +23,7 @@ class RunOutput {
   /// InputError where it cannot write.
   RunOutput(std::filesystem::path folder, std::string name, std::vector<std::string> formats, Simulation& simulation);
 
-  /// True when a CSV is written: `add_row` does nothing otherwise.
-  bool has_table() const { return table_ != nullptr; }
-  /// Adds the present numbers to the CSV. Lifts, polls and flux are those since the last row.
+  /// Adds the present numbers to the CSV, if there is one. Lifts, polls and flux are those since the last row.
   void add_row();
   /// Writes the present state in every other format.
   void write_state();

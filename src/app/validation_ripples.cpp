@@ -1,6 +1,5 @@
 // Ripples of the grain model beside nature: how long, how high, which way they lie and move, how grains fly.
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "app/sample.h"
@@ -90,17 +89,16 @@ std::string ripples_section(const ValidationOptions& options) {
          ", spread over the seeds in brackets. u*: friction velocity, m/s; wavelength: cm, mean over the spectrum; "
          "height: cm, of a sine with the surface's standard deviation; index: wavelength over height; crests off: "
          "degrees from lying across the wind; speed: cells a step, downwind positive; leap: mean way between two "
-         "touches "
-         "of the ground, cm; flight: mean way of a grain until it rests, cm; impact angle: mean, degrees; cut off: "
+         "touches of the ground, cm; flight: mean way of a grain until it rests, cm; impact angle: mean, degrees; cut "
+         "off: "
          "flights that never ended.\n\n" +
          table.markdown() +
          "\nRipples lie across the wind and move downwind at every bearing, and length and speed grow with u*; "
+         "the grid is only four\nripples wide, so single runs stand up to 20 degrees askew. **They are too steep**: "
          "the "
-         "grid is only four\nripples wide, so single runs stand up to 20 degrees askew. **They are too steep**: the "
-         "index "
-         "of natural sand ripples is about 12 to\n20, ours about 6, so they stand two to three times too high for "
-         "their "
-         "length. Shadow, not erosion of the crests, ends their growth here.\n";
+         "index of natural sand ripples is about 12 to\n20, ours about 6, so they stand two to three times too high "
+         "for "
+         "their length. Shadow, not erosion of the crests, ends their growth here.\n";
 }
 
 }  // namespace erg

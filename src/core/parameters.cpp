@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/exact_text.h"
+
 namespace erg {
 namespace {
 
@@ -190,11 +192,7 @@ ParameterValue parse_value(const Parameter& parameter, std::string_view text, co
 }
 
 std::string value_text(const ParameterValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), *number).ptr;
-    return {buffer.data(), end};
-  }
+  if (const auto* number = std::get_if<double>(&value)) return exact_text(*number);
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* curve = std::get_if<PiecewiseLinear>(&value)) return vertices_text(*curve);

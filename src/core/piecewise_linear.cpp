@@ -1,15 +1,11 @@
 #include "core/piecewise_linear.h"
 
-#include <array>
 #include <charconv>
+
+#include "core/exact_text.h"
 
 namespace erg {
 namespace {
-
-std::string number_text(double number) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
-}
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' ');
@@ -42,7 +38,7 @@ std::string vertices_text(const PiecewiseLinear& curve) {
   std::string text;
   for (const CurvePoint& vertex : curve.vertices) {
     if (!text.empty()) text += ", ";
-    text += number_text(vertex.x) + ":" + number_text(vertex.y);
+    text += exact_text(vertex.x) + ":" + exact_text(vertex.y);
   }
   return text;
 }

@@ -27,6 +27,11 @@ Json group_json(const std::string& group, const ParameterValues& values) {
 
 Json point_json(const CurvePoint& point) { return Json::array({json_value(point.x), json_value(point.y)}); }
 
+void add_curve(Json& json, const BezierCurve& curve) {
+  if (curve == BezierCurve{}) return;
+  json["curve"] = Json::array({point_json(curve.first), point_json(curve.second)});
+}
+
 Json season_json(const Season& season) {
   Json json;
   json["bearing"] = json_value(season.bearing);
@@ -38,9 +43,7 @@ Json season_json(const Season& season) {
   }
   json["steps"] = season.steps;
   if (season.snowfall != 0) json["snowfall"] = json_value(season.snowfall);
-  if (season.curve != BezierCurve{}) {
-    json["curve"] = Json::array({point_json(season.curve.first), point_json(season.curve.second)});
-  }
+  add_curve(json, season.curve);
   return json;
 }
 
@@ -49,9 +52,7 @@ Json temperature_json(const Temperature& temperature) {
   Json json;
   json["first"] = json_value(temperature.first);
   json["last"] = json_value(temperature.last);
-  if (temperature.curve != BezierCurve{}) {
-    json["curve"] = Json::array({point_json(temperature.curve.first), point_json(temperature.curve.second)});
-  }
+  add_curve(json, temperature.curve);
   return json;
 }
 

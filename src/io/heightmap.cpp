@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/errors.h"
+#include "core/surface_range.h"
 #include "io/image.h"
 
 // Only 8- and 16-bit pictures: the float formats would pull in functions of libm.
@@ -31,14 +32,7 @@ std::string metres_text(double metres) {
 }  // namespace
 
 void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, const Provenance& provenance) {
-  std::int32_t low = terrain.height(0, 0);
-  std::int32_t high = low;
-  for (int y = 0; y < terrain.ny(); ++y) {
-    for (int x = 0; x < terrain.nx(); ++x) {
-      low = std::min(low, terrain.height(x, y));
-      high = std::max(high, terrain.height(x, y));
-    }
-  }
+  const auto [low, high] = surface_range(terrain);
   GreyImage image{terrain.nx(), terrain.ny(), {}};
   image.pixels.reserve(terrain.extent().cells());
   const double scale = high > low ? 65535.0 / (static_cast<double>(high) - low) : 0.0;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/errors.h"
+#include "core/surface_range.h"
 #include "io/atomic_file.h"
 
 namespace erg {
@@ -88,12 +89,8 @@ void append_number(std::string& text, float value) {
 class Solid {
  public:
   explicit Solid(const Terrain& terrain) : terrain_(terrain) {
-    std::int32_t low = terrain.height(0, 0);
-    for (int y = 0; y < terrain.ny(); ++y) {
-      for (int x = 0; x < terrain.nx(); ++x) low = std::min(low, terrain.height(x, y));
-    }
     const double side = std::min(terrain.nx(), terrain.ny()) * terrain.cell_size();
-    floor_ = static_cast<float>(terrain.metres(low) - side / 10);
+    floor_ = static_cast<float>(terrain.metres(surface_range(terrain).low) - side / 10);
   }
 
   /// Of the surface: two a square; of each wall two a square; of the floor two a square, so that all edges meet.

@@ -6,13 +6,17 @@ namespace erg {
 
 std::string program_version() { return ERG_VERSION; }
 
+std::string executor_text(const std::string& executor, int threads) {
+  return executor + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
+
 Provenance provenance_of(const Config& config, std::int64_t step, const std::string& executor, int threads) {
   return {.config = config_text(config),
           .seed = static_cast<std::uint64_t>(config.run.integer("seed")),
           .step = step,
           .model = config.model,
           .version = program_version(),
-          .executor = executor + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads")};
+          .executor = executor_text(executor, threads)};
 }
 
 MetadataEntries metadata(const Provenance& provenance) {

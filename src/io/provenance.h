@@ -22,6 +22,9 @@ struct Provenance {
 /// The version of this program.
 std::string program_version();
 
+/// "cpu, 2 threads".
+std::string executor_text(const std::string& executor, int threads);
+
 /// The provenance of a run of this config after `step` steps.
 Provenance provenance_of(const Config& config, std::int64_t step, const std::string& executor, int threads);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "core/exact_text.h"
 #include "io/atomic_file.h"
 
 namespace erg {
@@ -32,12 +33,8 @@ std::string comments(const Provenance& provenance) {
   return all;
 }
 
-std::string number_text(double value) {
-  if (!std::isfinite(value)) return {};
-  char text[32];
-  const auto result = std::to_chars(text, text + sizeof text, value);
-  return {text, result.ptr};
-}
+/// Empty where the number is unknown.
+std::string cell_text(double value) { return std::isfinite(value) ? exact_text(value) : std::string(); }
 
 bool keeps(const std::string& row, double first_step) {
   double step = 0;
@@ -82,7 +79,7 @@ void TableFile::add(std::span<const double> values) {
   if (values.size() != columns_) throw std::logic_error("a row of a table needs a value for each column");
   std::string line;
   for (std::size_t column = 0; column < values.size(); ++column) {
-    line += (column == 0 ? "" : ",") + number_text(values[column]);
+    line += (column == 0 ? "" : ",") + cell_text(values[column]);
   }
   stream_ << line << '\n' << std::flush;
   if (!stream_) throw InputError(path_.string(), "cannot be written", "is the disk full?");

@@ -9,12 +9,11 @@
 
 namespace erg {
 
-#define ERG_GL11_FUNCTIONS(use)                                                                                   \
-  use(BindTexture) use(BlendFunc) use(Clear) use(ClearColor) use(CullFace) use(DeleteTextures) use(DepthFunc)     \
-      use(DepthMask) use(Disable) use(DrawArrays) use(DrawElements) use(Enable) use(Finish) use(GenTextures)      \
-          use(GetError) use(GetFloatv) use(GetIntegerv) use(GetString) use(LineWidth) use(PixelStorei)            \
-              use(PolygonMode) use(PolygonOffset) use(ReadPixels) use(Scissor) use(TexImage2D) use(TexParameteri) \
-                  use(TexSubImage2D) use(Viewport)
+#define ERG_GL11_FUNCTIONS(use)                                                                                 \
+  use(BindTexture) use(Clear) use(ClearColor) use(DeleteTextures) use(DepthFunc) use(DepthMask) use(Disable)    \
+      use(DrawArrays) use(Enable) use(Finish) use(GenTextures) use(GetIntegerv) use(GetString) use(PixelStorei) \
+          use(PolygonMode) use(PolygonOffset) use(ReadPixels) use(Scissor) use(TexImage2D) use(TexParameteri)   \
+              use(TexSubImage2D) use(Viewport)
 
 /// The functions of OpenGL 1.1 by their names without "gl".
 struct Gl11 {

@@ -4,6 +4,7 @@
 // them by the graphics card where they changed, and kept as long as nothing they depend on changes.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>

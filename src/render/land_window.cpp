@@ -11,7 +11,7 @@ int inside(int index, int count, bool periodic) {
   return periodic ? wrap(index, count) : std::clamp(index, 0, count - 1);
 }
 
-// Calls use(x, blocks_from, blocks_to) never mind the edges: the cell of each column of the window.
+// The column of the grid for each column of cells of the window.
 std::vector<int> columns_of(const LandWindow& window, int count, bool periodic) {
   std::vector<int> columns(static_cast<std::size_t>(window.blocks.nx) * static_cast<std::size_t>(window.block));
   for (std::size_t column = 0; column < columns.size(); ++column) {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/errors.h"
-#include "core/units.h"
+#include "render/land_window.h"
 
 namespace erg {
 namespace {
@@ -25,16 +25,6 @@ struct Range {
     high = std::max(high, value);
   }
 };
-
-Range elevation_range(const Terrain& terrain) {
-  Range range;
-  const auto bedrock = terrain.bedrock().cells();
-  const auto mobile = terrain.mobile().cells();
-  for (std::size_t cell = 0; cell < mobile.size(); ++cell) {
-    range.take(terrain.quantum() * (static_cast<double>(bedrock[cell]) + mobile[cell]));
-  }
-  return range;
-}
 
 ValueScale scale(std::string label, std::string unit, Range range, const std::string& palette) {
   if (!(range.low <= range.high)) range = {0, 1};
@@ -69,7 +59,8 @@ ValueScale value_scale(const Look& look, const TerrainView& view) {
   if (look.show == "slope") return scale("slope", "deg", {0, 45}, palette("batlow"));
   const Field* const field = view.find_field(look.show);
   if (field == nullptr || look.is_material()) {
-    return scale("height", "m", elevation_range(*view.terrain), palette("RdYlGn"));
+    const HeightRange heights = height_range(*view.terrain);
+    return scale("height", "m", {heights.low, heights.high}, palette("RdYlGn"));
   }
   Range range;
   for (const float value : field->values.cells()) range.take(value);

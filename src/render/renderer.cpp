@@ -146,12 +146,9 @@ void Renderer::set_effort(const RenderEffort& effort) { work_->effort = effort; 
 LandBox Renderer::land_of(const TerrainView& view, const Look& look) {
   if (is_empty(view)) return {};
   const Terrain& terrain = *view.terrain;
-  Look heights = look;
-  heights.show = "elevation";
-  heights.palette.clear();
-  const ValueScale scale = value_scale(heights, view);
-  return {terrain.nx() * terrain.cell_size(), terrain.ny() * terrain.cell_size(), scale.low * look.exaggeration,
-          scale.high * look.exaggeration};
+  const HeightRange heights = height_range(terrain);
+  return {terrain.nx() * terrain.cell_size(), terrain.ny() * terrain.cell_size(), heights.low * look.exaggeration,
+          heights.high * look.exaggeration};
 }
 
 Picture Renderer::draw(const TerrainView& view, const Look& look, const Camera& camera, const PictureSize& size) {

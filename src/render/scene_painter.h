@@ -1,13 +1,14 @@
 // The order in which a picture is painted: what lies behind, the land, its cut faces, plants, lines.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "render/land_maps.h"
-#include "render/renderer.h"
+#include "render/shader_program.h"
 #include "render/terrain_mesh.h"
 
 namespace erg {

@@ -102,8 +102,8 @@ void TiledTexture::take(const TexelRect& tile, std::span<const float> values) {
   uploaded_texels_ += static_cast<std::int64_t>(tile.wide) * tile.high;
 }
 
-bool MapTarget::prepare(Extent size, GLint format, bool periodic) {
-  if (texture_ && size == size_ && format == format_ && periodic == periodic_) return false;
+void MapTarget::prepare(Extent size, GLint format, bool periodic) {
+  if (texture_ && size == size_ && format == format_ && periodic == periodic_) return;
   if (!texture_) {
     texture_ = GlObject::texture();
     frame_ = GlObject::frame_buffer();
@@ -117,7 +117,6 @@ bool MapTarget::prepare(Extent size, GLint format, bool periodic) {
   size_ = size;
   format_ = format;
   periodic_ = periodic;
-  return true;
 }
 
 void MapTarget::bind() const {

@@ -61,8 +61,8 @@ class TiledTexture {
 /// A texture that can be drawn into.
 class MapTarget {
  public:
-  /// Makes a texture of this size and format when it is not so already. True when it is new, and empty.
-  bool prepare(Extent size, GLint format, bool periodic);
+  /// Makes a texture of this size and format when it is not so already.
+  void prepare(Extent size, GLint format, bool periodic);
   /// Directs drawing into it.
   void bind() const;
   GLuint id() const { return texture_.id(); }

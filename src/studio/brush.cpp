@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/exact_text.h"
 #include "transport/executor.h"
 
 namespace erg {
@@ -58,13 +59,15 @@ std::vector<Touch> touches(const Terrain& terrain, const Dab& dab) {
 
 void check(const Dab& dab) {
   if (!(dab.radius >= smallest_brush && dab.radius <= largest_brush)) {
-    throw InputError("brush", "the radius is out of range", "give 0.5 to 512 cells");
+    throw InputError("brush", "the radius is out of range",
+                     "give " + exact_text(smallest_brush) + " to " + exact_text(largest_brush) + " cells");
   }
   if (dab.material == BrushMaterial::field && !std::isfinite(dab.strength)) {
     throw InputError("brush", "the strength is no number", "give one");
   }
   if (std::abs(static_cast<std::int64_t>(dab.amount)) > highest_terrain) {
-    throw InputError("brush", "the amount is out of range", "give at most 40000 slabs");
+    throw InputError("brush", "the amount is out of range",
+                     "give at most " + std::to_string(highest_terrain) + " slabs");
   }
 }
 

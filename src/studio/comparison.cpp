@@ -74,7 +74,7 @@ Config Comparison::with_wind(Config config) const {
 
 std::vector<Config> Comparison::configs() const {
   std::vector<Config> all;
-  for (const Setup& setup : setups_) all.push_back(with_wind(setup.config()));
+  for (std::size_t i = 0; i < size(); ++i) all.push_back(config(i));
   return all;
 }
 

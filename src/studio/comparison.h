@@ -43,7 +43,9 @@ class Comparison {
   WindEditor wind() { return setups_.front().wind(); }
 
   std::vector<SetupDifference> differences() const;
-  /// The configs with the one wind.
+  /// The config of one setup, with the one wind.
+  Config config(std::size_t index) const { return with_wind(setup(index).config()); }
+  /// All of them.
   std::vector<Config> configs() const;
   /// For Runner::change: the running configs with all that may take effect without a new terrain. The snapshot must
   /// have as many runs as there are setups.

@@ -33,10 +33,6 @@ void write_volume(const fs::path& path, const RunSnapshot& run, const Provenance
   write_vti(path, *run.terrain, &shadow, source);
 }
 
-void write_numbers(const fs::path& path, const RunSnapshot& run, const Provenance& source) {
-  write_series(path, *run.series, source);
-}
-
 /// A format with the function that writes it.
 struct Writer {
   ExportFormat format;
@@ -67,7 +63,9 @@ const std::vector<Writer>& writers() {
          write_stl(path, *run.terrain, source, progress);
        }},
       {{"csv", "Numbers (CSV)", ".csv", "The run's numbers over time, as the plots show them."},
-       [](const auto& path, const auto& run, const auto& source, const auto&) { write_numbers(path, run, source); }},
+       [](const auto& path, const auto& run, const auto& source, const auto&) {
+         write_series(path, *run.series, source);
+       }},
       {{"checkpoint", "Checkpoint", ".checkpoint", "The whole run: it goes on from here to the same bits."},
        [](const auto& path, const auto& run, const auto&, const auto&) {
          write_checkpoint(path, *run.config, run.state());

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 #include <string_view>
 #include <system_error>
+
+#include "studio/surroundings.h"
 
 namespace erg {
 namespace {
@@ -57,24 +58,13 @@ std::string changed_text(const fs::directory_entry& entry) {
   const auto on_clock = std::chrono::file_clock::to_sys(changed);
   const std::time_t seconds =
       std::chrono::system_clock::to_time_t(std::chrono::time_point_cast<std::chrono::system_clock::duration>(on_clock));
-  std::tm local{};
-  ::localtime_r(&seconds, &local);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
-  return text;
+  return local_time("%Y-%m-%d %H:%M", seconds);
 }
 
 bool ends_in_one_of(const std::string& name, const std::vector<std::string>& endings) {
   if (endings.empty()) return true;
   const std::string low = lowered(name);
   return std::ranges::any_of(endings, [&](const std::string& ending) { return low.ends_with(lowered(ending)); });
-}
-
-/// The value of an environment variable that holds an absolute path; empty when there is none.
-fs::path path_from_environment(const char* name) {
-  const char* value = std::getenv(name);
-  const fs::path path = value == nullptr ? fs::path() : fs::path(value);
-  return path.is_absolute() ? path : fs::path();
 }
 
 }  // namespace

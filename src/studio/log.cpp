@@ -1,19 +1,11 @@
 #include "studio/log.h"
 
 #include <algorithm>
-#include <ctime>
+
+#include "studio/surroundings.h"
 
 namespace erg {
 namespace {
-
-std::string time_of_day() {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  ::localtime_r(&now, &local);
-  char text[16];
-  std::strftime(text, sizeof text, "%H:%M:%S", &local);
-  return text;
-}
 
 std::size_t index_of(LogLevel level) { return static_cast<std::size_t>(level); }
 
@@ -34,7 +26,7 @@ std::string to_string(LogLevel level) {
 std::string LogLine::whole() const { return time + " " + to_string(level) + ": " + text; }
 
 void Log::add(LogLevel level, const std::string& text) {
-  const std::string time = time_of_day();
+  const std::string time = local_time("%H:%M:%S");
   const std::lock_guard lock(mutex_);
   std::size_t begin = 0;
   while (begin <= text.size()) {

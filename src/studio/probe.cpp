@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/surface_range.h"
 #include "core/units.h"
 #include "io/table.h"
 #include "wind/bearing.h"
@@ -25,14 +26,10 @@ struct Rise {
 };
 
 Rise rise_at(const Terrain& terrain, int x, int y) {
-  const auto along = [&](int step, bool eastward) {
-    return eastward ? beside(x, step, terrain.nx(), terrain.boundary())
-                    : beside(y, step, terrain.ny(), terrain.boundary());
-  };
-  const int west = along(-1, true);
-  const int east = along(1, true);
-  const int south = along(-1, false);
-  const int north = along(1, false);
+  const int west = beside(x, -1, terrain.nx(), terrain.boundary());
+  const int east = beside(x, 1, terrain.nx(), terrain.boundary());
+  const int south = beside(y, -1, terrain.ny(), terrain.boundary());
+  const int north = beside(y, 1, terrain.ny(), terrain.boundary());
   const double width = terrain.boundary() == Boundary::torus || (x > 0 && x + 1 < terrain.nx()) ? 2 : 1;
   const double depth = terrain.boundary() == Boundary::torus || (y > 0 && y + 1 < terrain.ny()) ? 2 : 1;
   return {(terrain.height(east, y) - terrain.height(west, y)) / width,
@@ -115,14 +112,7 @@ Histogram thickness_histogram(const Terrain& terrain, std::size_t most_bars) {
 Histogram height_histogram(const Terrain& terrain, std::size_t bars) {
   Histogram histogram;
   if (terrain.extent().cells() == 0) return histogram;
-  std::int32_t low = terrain.height(0, 0);
-  std::int32_t high = low;
-  for (int y = 0; y < terrain.ny(); ++y) {
-    for (int x = 0; x < terrain.nx(); ++x) {
-      low = std::min(low, terrain.height(x, y));
-      high = std::max(high, terrain.height(x, y));
-    }
-  }
+  const auto [low, high] = surface_range(terrain);
   // Bars of whole quanta: else some would hold two heights and their neighbours one.
   const std::int64_t levels = static_cast<std::int64_t>(high) - low + 1;
   const auto most = static_cast<std::int64_t>(std::max<std::size_t>(bars, 1));

@@ -142,10 +142,7 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
   lane.stale = lane.config_stale = lane.series_stale = false;
   view.step = simulation.step_count();
   view.last_wind = simulation.last_wind();
-  view.next_wind = simulation.wind();
   view.totals = simulation.totals();
-  view.finished = simulation.finished();
-  view.why_finished = simulation.totals().why_finished;
   view.executor = simulation.executor().name();
   view.threads = simulation.executor().threads();
 }

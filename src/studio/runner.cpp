@@ -76,8 +76,7 @@ void Runner::resume(std::vector<Saved> saved) {
 
 void Runner::reset() {
   give([this] {
-    goal_ = -1;
-    if (activity_ == Activity::running) activity_ = Activity::paused;
+    halt();
     edit([this] { runs_.reset(); });
   });
 }
@@ -87,10 +86,7 @@ void Runner::play() {
 }
 
 void Runner::pause() {
-  give([this] {
-    goal_ = -1;
-    if (activity_ == Activity::running) activity_ = Activity::paused;
-  });
+  give([this] { halt(); });
 }
 
 void Runner::step() {
@@ -98,7 +94,7 @@ void Runner::step() {
     start(-1);
     if (activity_ != Activity::running) return;
     step_once();
-    if (activity_ == Activity::running) activity_ = Activity::paused;
+    halt();
   });
 }
 
@@ -187,6 +183,11 @@ void Runner::start(std::int64_t goal) {
   message_.clear();
   next_step_ = Clock::now();
   publisher_.start_rates();
+}
+
+void Runner::halt() {
+  goal_ = -1;
+  if (activity_ == Activity::running) activity_ = Activity::paused;
 }
 
 void Runner::step_on() {

@@ -84,6 +84,7 @@ class Runner {
   void wait_for_work(std::unique_lock<std::mutex>& lock);
   void carry_out(const Command& command);
   void start(std::int64_t goal);
+  void halt();
   void step_once();
   void step_on();
   void make(const std::function<void()>& build);

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 
 #include "core/errors.h"
 #include "io/atomic_file.h"
+#include "studio/surroundings.h"
 
 namespace erg {
 namespace {
@@ -21,15 +21,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* name_start = "session-";
-
-std::string local_time() {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  ::localtime_r(&now, &local);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &local);
-  return text;
-}
 
 /// Opens the lock file of a folder and tries to lock it; -1 when another program holds it or it cannot be opened.
 int try_lock(const fs::path& folder, int more_flags) {
@@ -56,7 +47,7 @@ std::uint64_t version_of(const Snapshot& snapshot) {
 void write_session(const fs::path& folder, const Snapshot& snapshot) {
   const std::uint64_t save = snapshot.number;
   Json json;
-  json["saved_at"] = local_time();
+  json["saved_at"] = local_time("%Y-%m-%d %H:%M:%S");
   json["title"] = snapshot.runs.front().config->title;
   json["step"] = snapshot.step();
   json["runs"] = Json::array();

@@ -148,15 +148,6 @@ std::optional<Mistake> Setup::set_temperature_curve(const BezierCurve& curve) {
   return std::nullopt;
 }
 
-std::vector<double> Setup::sampled_temperature(std::size_t samples) const {
-  std::vector<double> values;
-  samples = std::max<std::size_t>(samples, 2);
-  for (std::size_t i = 0; i < samples; ++i) {
-    values.push_back(config_.temperature.at(static_cast<double>(i) / static_cast<double>(samples - 1)));
-  }
-  return values;
-}
-
 bool Setup::needs_new_terrain(const Config& running) const { return erg::needs_new_terrain(running, config_); }
 
 Config Setup::in_force_on(const Config& running) const {

@@ -61,7 +61,6 @@ class Setup {
   void reset_all();
 
   void set_title(std::string title) { config_.title = std::move(title); }
-  void set_description(std::string description) { config_.description = std::move(description); }
 
   /// The wind under edit.
   WindEditor wind() { return WindEditor(config_.wind); }
@@ -70,8 +69,6 @@ class Setup {
   /// `run.steps` steps. Each says what is wrong, and then nothing has changed.
   std::optional<Mistake> set_temperatures(double first, double last);
   std::optional<Mistake> set_temperature_curve(const BezierCurve& curve);
-  /// deg C at so many moments (at least 2), evenly from the first step to the last, for a plot.
-  std::vector<double> sampled_temperature(std::size_t samples) const;
 
   /// Whether CREATE draws a new seed each time.
   bool fresh_seed() const { return fresh_seed_; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "io/provenance.h"
+
 namespace erg {
 
 std::string to_string(Activity activity) {
@@ -23,9 +25,7 @@ std::string to_string(Activity activity) {
   return "failed";
 }
 
-std::string RunSnapshot::executor_text() const {
-  return executor + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
-}
+std::string RunSnapshot::executor_text() const { return erg::executor_text(executor, threads); }
 
 RunState RunSnapshot::state() const { return {*terrain, step, totals}; }
 

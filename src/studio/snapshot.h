@@ -40,12 +40,9 @@ struct RunSnapshot {
   std::shared_ptr<const Series> series;  ///< the run's numbers over time
   std::int64_t step = 0;                 ///< steps done
   WindNow last_wind;                     ///< of the last step done
-  WindNow next_wind;                     ///< of the step to come
   StepReport totals;                     ///< since step 0
   std::int64_t mass_now = 0;             ///< quanta on the ground, counted
-  bool finished = false;                 ///< nothing can move any more
-  std::string why_finished;
-  std::string executor;  ///< "cpu"
+  std::string executor;                  ///< "cpu"
   int threads = 1;
 
   /// Quanta on the ground beyond what the ledger says: 0, always.

@@ -97,8 +97,7 @@ void Studio::take_over_creation() {
     handed_over_.clear();
   } else if (before_opening_ && !file_.empty()) {
     log_.information("opened " + file_.string());
-    settings_.add_recent(file_);
-    settings_.last_folder = fs::absolute(file_).parent_path().string();
+    remember_file();
   }
   before_opening_.reset();
 }
@@ -150,17 +149,21 @@ void Studio::resume(std::vector<Saved> saved) {
 
 bool Studio::save_config(const fs::path& path) {
   return logged(log_, [&] {
-    Config config = comparison_.configs()[active_];
+    Config config = comparison_.config(active_);
     write_config(path, config);
     file_ = path;
     kept_config_ = std::move(config);
-    settings_.add_recent(path);
-    settings_.last_folder = fs::absolute(path).parent_path().string();
+    remember_file();
     log_.information("saved " + path.string());
   });
 }
 
-bool Studio::unsaved() const { return comparison_.configs()[active_] != kept_config_; }
+void Studio::remember_file() {
+  settings_.add_recent(file_);
+  settings_.last_folder = fs::absolute(file_).parent_path().string();
+}
+
+bool Studio::unsaved() const { return comparison_.config(active_) != kept_config_; }
 
 std::string Studio::title() const {
   const Config& config = comparison_.setup(active_).config();

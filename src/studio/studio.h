@@ -40,7 +40,6 @@ class Studio {
   void tick();
   /// The snapshot that this frame draws; the same from tick to tick.
   const Snapshot& now() const { return *snapshot_; }
-  std::shared_ptr<const Snapshot> shared_now() const { return snapshot_; }
 
   Runner& runner() { return *runner_; }
   Comparison& comparison() { return comparison_; }
@@ -96,6 +95,7 @@ class Studio {
   void show(Comparison comparison);
   void resume(std::vector<Saved> saved);
   void keep_settings();
+  void remember_file();
 
   /// What was open, to go back to when what is opened cannot be made.
   struct Before {

@@ -48,8 +48,6 @@ class WindEditor {
   std::optional<Mistake> set_steps(std::size_t index, std::int64_t steps);
   /// The strength curve's control points; both must lie in the unit square.
   std::optional<Mistake> set_curve(std::size_t index, const BezierCurve& curve);
-  /// RESET of the curve: a straight line.
-  void reset_curve(std::size_t index) { regime_->seasons.at(index).curve = BezierCurve{}; }
 
  private:
   Regime* regime_;

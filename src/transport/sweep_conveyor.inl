@@ -1,22 +1,5 @@
-// Part of sweep_kernels.inl: one strip of lines in one sub-sweep. Which slabs lift, how they fly, where they stay.
-
-/// Scratch of one row of a strip. Masks are 0 or all ones.
-template <typename Lane>
-struct Row {
-  alignas(64) Lane height[strip_lines];
-  alignas(64) Lane bedrock[strip_lines];
-  alignas(64) Lane dark[strip_lines];
-  alignas(64) Lane random[strip_lines];
-  alignas(64) Lane held[strip_lines];       // mask: nothing lifts here
-  alignas(64) Lane threshold[strip_lines];  // a slab stays if its random byte is below
-  alignas(64) Lane sure[strip_lines];       // mask: every slab stays
-  alignas(64) Lane lifted[strip_lines];
-  alignas(64) Lane landed[strip_lines];
-  alignas(64) Lane leaving[strip_lines];
-  alignas(64) std::uint8_t cover[strip_lines];
-  alignas(64) Lane next_bedrock[strip_lines];
-  alignas(64) std::uint32_t landing_words[strip_lines / 4];
-};
+// Part of sweep_kernels.inl: one strip of lines in one sub-sweep. Which slabs lift, and which stay where
+// they come down.
 
 /// Sums of per-lane counts, flushed before they can overflow.
 template <typename Lane>
@@ -33,7 +16,9 @@ class Conveyor {
       : plan_(plan),
         strip_(strip),
         lanes_((strip.lines + 63) / 64 * 64),
-        walk_(plan.layout, plan.drift, plan.phase, strip.first, strip.lines) {
+        walk_(plan.layout, plan.drift, plan.phase, strip.first, strip.lines),
+        draws_(strip.first, lanes_),
+        flight_(plan, strip, draws_, lanes_) {
     std::memset(&row_, 0, sizeof row_);
     std::memset(&sums_, 0, sizeof sums_);
   }
@@ -59,7 +44,7 @@ class Conveyor {
       if (++row_in_block == block) row_in_block = 0;
     }
     flush_sums();
-    if (plan_.open) drop_all(plan_.layout.length);
+    if (plan_.open) flight_.drop_all(plan_.layout.length);
   }
 
   void carry() {
@@ -82,8 +67,6 @@ class Conveyor {
  private:
   using Shadow = typename Strip<Lane>::Shadow;
   static constexpr Lane all_ones = static_cast<Lane>(~Lane{0});
-  static constexpr int lanes_per_word = 8 / static_cast<int>(sizeof(Lane));
-  static constexpr int lane_bits = 8 * static_cast<int>(sizeof(Lane));
 
   // --- lines and rows ---
 
@@ -100,7 +83,7 @@ class Conveyor {
     });
     if (plan_.bedrock) walk_.copy_in(row_.bedrock, plan_.bedrock);
     if (plan_.cover) walk_.copy_in(row_.cover, plan_.cover);
-    row_word_ = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
+    row_.word = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
   }
 
   void write_row() {
@@ -191,7 +174,7 @@ class Conveyor {
   void draw_polls(int y, int block) {
     const std::uint64_t word = row_word(plan_.poll_word, static_cast<std::uint32_t>(y / block));
     const std::uint32_t key = draw_key(word, Draw::poll);
-    fill_random(strip_.target, key);
+    draws_.fill(strip_.target, key);
     Lane* __restrict target = strip_.target;
     const Lane mask = static_cast<Lane>(plan_.sweeps - 1);
     if (plan_.permuted) {
@@ -205,47 +188,13 @@ class Conveyor {
     ERG_EACH(i, lanes_) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
   }
 
-  /// Random bytes for all lanes, of a fresh draw.
-  void fill_random(Lane* lanes, std::uint32_t key) const {
-    const std::uint32_t first = static_cast<std::uint32_t>(strip_.first) / 4;
-    std::uint32_t words[strip_lines / 4];
-    ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
-    spread(words, lanes);
-  }
-
-  /// The same for the draws of the first landing, from whose words further ones follow.
-  void fill_landing_random() {
-    const std::uint32_t first = static_cast<std::uint32_t>(strip_.first) / 4;
-    const std::uint32_t key = draw_key(row_word_, Draw::first_landing);
-    std::uint32_t* __restrict words = row_.landing_words;
-    ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
-    spread(words, row_.random);
-  }
-
-  template <Draw draw>
-  void fill_next_random() {
-    std::uint32_t words[strip_lines / 4];
-    const std::uint32_t* __restrict landing_words = row_.landing_words;
-    ERG_EACH(q, lanes_ / 4) words[q] = next_word(landing_words[q], draw);
-    spread(words, row_.random);
-  }
-
-  /// Cuts words into bytes, one for each lane (little-endian).
-  void spread(const std::uint32_t* words, Lane* lanes) const {
-    if constexpr (sizeof(Lane) == 1) {
-      std::memcpy(lanes, words, static_cast<std::size_t>(lanes_));
-    } else {
-      for (int i = 0; i < lanes_; ++i) lanes[i] = static_cast<Lane>(words[i / 4] >> (8 * (i % 4)) & 0xff);
-    }
-  }
-
   // --- lifting and landing ---
 
   /// Everything that happens in one row: which slabs lift, which stay, and where the others come down next.
   void decide(std::int64_t flown, Lane row_in_block) {
-    Lane* arrivals = strip_.ring + ring_start(flown);
+    Lane* arrivals = flight_.arrivals(flown);
     judge_ground();
-    fill_landing_random();
+    draws_.fill_landing(row_);
     const Lane most = lift_and_land(arrivals, row_in_block);
     if (sizeof(Lane) == 1 && most > narrow_arrivals) {
       strip_.counts.crowded = true;
@@ -256,18 +205,14 @@ class Conveyor {
     if (most > 2) land_others(arrivals);
     if (most > 0) std::memset(arrivals, 0, static_cast<std::size_t>(lanes_) * sizeof(Lane));
     if (plan_.wall_rows) meet_walls(flown);
-    if (any_leaving_) launch(flown);
+    if (any_leaving_) flight_.launch(row_, flown);
     if (++rows_summed_ == LaneSums<Lane>::rows_before_flush) flush_sums();
-  }
-
-  std::size_t ring_start(std::int64_t flown) const {
-    return static_cast<std::size_t>(flown & (plan_.ring_rows - 1)) * strip_lines;
   }
 
   /// Where slabs may lift, and how likely they stay.
   void judge_ground() {
-    const std::uint32_t on_sand = byte_chance(plan_.p_sand_16, row_word_);
-    const std::uint32_t on_bare = byte_chance(plan_.p_bare_16, row_word_);
+    const std::uint32_t on_sand = byte_chance(plan_.p_sand_16, row_.word);
+    const std::uint32_t on_bare = byte_chance(plan_.p_bare_16, row_.word);
     const Lane sand_limit = static_cast<Lane>(on_sand > 255 ? 255 : on_sand);
     const Lane bare_limit = static_cast<Lane>(on_bare > 255 ? 255 : on_bare);
     const Lane sand_sure = on_sand > 255 ? all_ones : Lane{0};
@@ -289,7 +234,7 @@ class Conveyor {
   }
 
   void judge_cover() {
-    fill_random(row_.random, draw_key(row_word_, Draw::cover));
+    draws_.fill(row_.random, draw_key(row_.word, Draw::cover));
     const std::uint8_t* __restrict cover = row_.cover;
     const Lane* __restrict random = row_.random;
     Lane* __restrict held = row_.held;
@@ -339,7 +284,7 @@ class Conveyor {
 
   /// The second slab that comes down at a lane: common enough that branches on it would not be foreseen.
   void land_second(const Lane* __restrict arrivals) {
-    fill_next_random<Draw::second_landing>();
+    draws_.template fill_next<Draw::second_landing>(row_);
     const Lane* __restrict random = row_.random;
     const Lane* __restrict threshold = row_.threshold;
     const Lane* __restrict sure = row_.sure;
@@ -368,104 +313,13 @@ class Conveyor {
     const std::uint32_t before = row_.landed[lane];
     std::uint32_t landed = before;
     for (std::uint32_t slab = 2; slab < arriving; ++slab) {
-      const std::uint32_t key = draw_key(row_word_, static_cast<std::uint32_t>(Draw::first_landing) + slab);
+      const std::uint32_t key = draw_key(row_.word, static_cast<std::uint32_t>(Draw::first_landing) + slab);
       const std::uint32_t byte = line_byte(key, static_cast<std::uint32_t>(strip_.first + lane));
       landed += (row_.sure[lane] != 0 || byte < row_.threshold[lane]) ? 1 : 0;
     }
     row_.leaving[lane] = static_cast<Lane>(row_.leaving[lane] + before - landed);
     row_.landed[lane] = static_cast<Lane>(landed);
     most_landed_ = landed > most_landed_ ? landed : most_landed_;
-  }
-
-  /// One bit for each of 64 lanes: set where the lane holds more than `limit` (0 or 2). Lanes hold less than half of
-  /// what they can, so an addition carries into a lane's top bit and no further.
-  template <int limit>
-  static std::uint64_t lanes_above(const Lane* lanes) {
-    constexpr bool bytes = sizeof(Lane) == 1;
-    constexpr std::uint64_t ones = bytes ? 0x0101010101010101u : 0x0001000100010001u;
-    constexpr std::uint64_t carry = ones * ((std::uint64_t{1} << (lane_bits - 1)) - 1 - limit);
-    // Multiplying gathers the top bits of a word's lanes in its uppermost bits, in order.
-    constexpr std::uint64_t gather = bytes ? 0x0102040810204080u : 0x0001000200040008u;
-    constexpr int gathered_at = bytes ? 56 : 48;
-    constexpr std::uint64_t gathered = (1u << lanes_per_word) - 1;
-    std::uint64_t mask = 0;
-    for (int word_number = 0; word_number < 64 / lanes_per_word; ++word_number) {
-      std::uint64_t word;
-      __builtin_memcpy(&word, lanes + word_number * lanes_per_word, 8);
-      const std::uint64_t top = ((word + carry) >> (lane_bits - 1)) & ones;
-      mask |= ((top * gather) >> gathered_at & gathered) << (word_number * lanes_per_word);
-    }
-    return mask;
-  }
-
-  // --- flight ---
-
-  /// Sends the slabs that leave this row to the row where they come down next.
-  void launch(std::int64_t flown) {
-    if (plan_.hop_by_height) {
-      launch_by_height(flown);
-      return;
-    }
-    const std::uint32_t rows_256 = plan_.hop_table[0];
-    const std::uint32_t near_rows = rows_256 >> fixed_point_bits;
-    const Lane far_below = static_cast<Lane>(rows_256 & 0xff);  // of 256: how often a hop is one row longer
-    const Lane* __restrict leaving = row_.leaving;
-    Lane* __restrict near_ring = strip_.ring + ring_start(flown + near_rows);
-    // A row's slabs: 16 bits hold strip_lines * (narrow_arrivals + 1).
-    using Sum = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
-    Sum all = 0;
-    if (far_below == 0) {
-      ERG_EACH(i, lanes_) {
-        near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
-        all = static_cast<Sum>(all + leaving[i]);
-      }
-      strip_.counts.rows_flown += static_cast<std::int64_t>(all) * near_rows;
-      expect(flown + near_rows);
-      return;
-    }
-    fill_next_random<Draw::hop>();
-    const Lane* __restrict random = row_.random;
-    Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
-    Sum all_far = 0;
-    const Lane near_below = static_cast<Lane>(256 - far_below);
-    ERG_EACH(i, lanes_) {
-      // As hop_rows: one row more where the random byte carries the fraction over.
-      const Lane far = random[i] >= near_below ? leaving[i] : Lane{0};
-      const Lane near = static_cast<Lane>(leaving[i] - far);
-      near_ring[i] = static_cast<Lane>(near_ring[i] + near);
-      far_ring[i] = static_cast<Lane>(far_ring[i] + far);
-      all = static_cast<Sum>(all + leaving[i]);
-      all_far = static_cast<Sum>(all_far + far);
-    }
-    strip_.counts.rows_flown += static_cast<std::int64_t>(all) * near_rows + all_far;
-    expect(flown + near_rows + 1);
-  }
-
-  void launch_by_height(std::int64_t flown) {
-    fill_next_random<Draw::hop>();
-    std::uint32_t longest = 0;
-    std::uint32_t fullest = 0;
-    std::int64_t rows_flown = 0;
-    for (int first = 0; first < lanes_; first += 64) {
-      for (std::uint64_t mask = lanes_above<0>(row_.leaving + first); mask != 0; mask &= mask - 1) {
-        const int lane = first + __builtin_ctzll(mask);
-        const std::uint32_t leaving = row_.leaving[lane];
-        const std::uint32_t rows = hop_rows(plan_.hop_table[row_.height[lane]], row_.random[lane]);
-        Lane& there = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(lane)];
-        const std::uint32_t now = there + leaving;
-        there = static_cast<Lane>(now);
-        fullest = now > fullest ? now : fullest;
-        longest = rows > longest ? rows : longest;
-        rows_flown += static_cast<std::int64_t>(rows) * leaving;
-      }
-    }
-    if (sizeof(Lane) == 1 && fullest > narrow_arrivals) strip_.counts.crowded = true;
-    strip_.counts.rows_flown += rows_flown;
-    expect(flown + longest);
-  }
-
-  void expect(std::int64_t row) {
-    if (row > strip_.last_arrival) strip_.last_arrival = row;
   }
 
   /// Algorithm 7 of Cimbura 2022: where bedrock stands too steeply in the next row, all that flies over here drops
@@ -484,15 +338,8 @@ class Conveyor {
   }
 
   void drop_here(int lane, std::int64_t flown) {
-    std::int64_t dropped = row_.leaving[lane];
+    const std::int64_t landed = row_.landed[lane] + row_.leaving[lane] + flight_.drop(lane, flown);
     row_.leaving[lane] = 0;
-    for (int rows = 1; rows < plan_.ring_rows; ++rows) {
-      Lane& flying = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(lane)];
-      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
-      dropped += flying;
-      flying = 0;
-    }
-    const std::int64_t landed = row_.landed[lane] + dropped;
     if (sizeof(Lane) == 1 && landed > narrow_arrivals) {
       strip_.counts.crowded = true;
       return;
@@ -506,51 +353,16 @@ class Conveyor {
   /// Lines that enter the grid at this row: what flew in them has left on the other side, and new slabs come in.
   void cross_open_edges(int y) {
     if (y == 0) {
-      for (int i = 0; i < strip_.lines; ++i) enter(i, y);
+      for (int i = 0; i < strip_.lines; ++i) flight_.enter(row_, i, y);
       return;
     }
     if (!walk_.stepped()) return;
     const int lane = walk_.column() == 0 ? 0 : plan_.layout.width - walk_.column();
     if (lane >= strip_.lines) return;
-    drop_out(lane, y);
+    flight_.drop_out(lane, y);
     strip_.line[lane] = 0;
     strip_.upwind[lane] = 0;
-    enter(lane, y);
-  }
-
-  void enter(int lane, int y) {
-    if (plan_.inflow <= 0) return;
-    const std::uint32_t key = draw_key(row_word_, Draw::inflow);
-    const std::uint32_t line = static_cast<std::uint32_t>(strip_.first + lane);
-    const std::uint32_t random = mix32(key ^ line * 0x9e3779b9u);
-    const int slabs = static_cast<int>(plan_.inflow + (random >> 16) * (1.0 / 65536));
-    const std::uint32_t rows_256 = plan_.hop_table[plan_.hop_by_height ? row_.height[lane] : 0];
-    for (int slab = 0; slab < slabs; ++slab) {
-      // Where in its hop a slab crosses the edge is random: it comes down up to one hop further on.
-      const std::uint32_t part = mix32(random + static_cast<std::uint32_t>(slab)) >> 16;
-      const std::int64_t row = y + static_cast<std::int64_t>((static_cast<std::uint64_t>(rows_256) * part) >> 24);
-      Lane& there = strip_.ring[ring_start(row) + static_cast<std::size_t>(lane)];
-      there = static_cast<Lane>(there + 1);
-      if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.crowded = true;
-      expect(row);
-    }
-    strip_.counts.slabs_in += slabs;
-  }
-
-  void drop_out(int lane, std::int64_t from_row) {
-    for (int rows = 0; rows < plan_.ring_rows; ++rows) {
-      Lane& flying = strip_.ring[ring_start(from_row + rows) + static_cast<std::size_t>(lane)];
-      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
-      strip_.counts.slabs_out += flying;
-      flying = 0;
-    }
-  }
-
-  void drop_all(std::int64_t from_row) {
-    if (strip_.last_arrival >= from_row) {
-      for (int lane = 0; lane < strip_.lines; ++lane) drop_out(lane, from_row);
-    }
-    strip_.last_arrival = -1;
+    flight_.enter(row_, lane, y);
   }
 
   // --- counts ---
@@ -570,7 +382,8 @@ class Conveyor {
   Strip<Lane>& strip_;
   const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
   LineWalk walk_;
-  std::uint64_t row_word_ = 0;
+  const LineDraws<Lane> draws_;
+  Flight<Lane> flight_;
   std::uint32_t most_landed_ = 0;
   bool any_leaving_ = false;
   Row<Lane> row_;

@@ -16,6 +16,10 @@ namespace {
 
 #include "transport/sweep_lines.inl"
 
+#include "transport/sweep_row.inl"
+
+#include "transport/sweep_flight.inl"
+
 #include "transport/sweep_conveyor.inl"
 
 #include "transport/sweep_slides.inl"

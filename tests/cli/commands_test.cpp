@@ -21,10 +21,13 @@ TEST(Commands, ModelsListsEveryModelAndModelItsParameters) {
 
 TEST(Commands, ManualPagesAreWhatTheProgramPrints) {
   const ScratchFolder folder;
-  for (const std::string key : {"werner", "momiji", "bishop", "grains"}) {
+  for (const std::string key :
+       {"werner", "momiji", "bishop", "nield_baas", "snow_packing", "snow_sintering", "grains"}) {
     const Ended page = run_erg(folder, {"model", key, "--markdown"});
     ASSERT_EQ(page.exit_code, 0);
-    const char* row = key == "grains" ? "| splash | 4 | 0 to 100 |" : "| p_sand | 0.6 | 0 to 1 |";
+    const std::string row = key == "grains"           ? "| splash | 4 | 0 to 100 |"
+                            : key == "snow_sintering" ? "| slab_height | "
+                                                      : "| p_sand | 0.6 | 0 to 1 |";
     EXPECT_NE(page.output.find(row), std::string::npos) << page.output;
     const std::string committed = read_text(std::string(ERG_SOURCE_DIR) + "/docs/models/" + key + ".md");
     EXPECT_NE(committed.find(page.output), std::string::npos)
@@ -54,6 +57,15 @@ TEST(Commands, SchemaIsJson) {
   const Ended schema = run_erg(folder, {"schema"});
   ASSERT_EQ(schema.exit_code, 0);
   EXPECT_TRUE(nlohmann::json::parse(schema.output).is_object());
+}
+
+TEST(Commands, ValidatePrintsTheSectionAskedFor) {
+  const ScratchFolder folder;
+  const Ended section = run_erg(folder, {"validate", "--section", "identities"});
+  ASSERT_EQ(section.exit_code, 0) << section.errors;
+  EXPECT_EQ(section.output.find("## Identities\n"), 0u) << section.output;
+  EXPECT_EQ(section.output.find("\n## "), std::string::npos) << "no other section";
+  EXPECT_EQ(run_erg(folder, {"validate", "--section", "identity"}).exit_code, 2);
 }
 
 TEST(Commands, BenchWritesARowForEachExecutor) {

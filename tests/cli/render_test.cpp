@@ -70,6 +70,22 @@ TEST(Render, StepsAndLooksAreAsAskedFor) {
   EXPECT_EQ(png_header(folder.file("clear.png")).colour, 6);
 }
 
+TEST(Render, DrawsTheWaysOfGrains) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("ripples.json", R"({
+    "erg": 1, "model": "grains", "grid": {"nx": 16, "ny": 16, "cell_size": 0.01}, "scene": {"kind": "flat", "sand": 50},
+    "wind": {"bearing": "W", "strength": 10}, "run": {"steps": 1}})");
+  const auto draw = [&](const std::string& paths) {
+    const Ended ended = run_erg(folder, {"render", config, "--out", "a.png", "--size", "64x48", "--supersample", "1",
+                                         "--paths", paths, "--quiet"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+    return read_text(folder.file("a.png"));
+  };
+  const std::string without = draw("0");
+  EXPECT_EQ(png_header(folder.file("a.png")).width, 64);
+  EXPECT_NE(draw("50"), without);
+}
+
 TEST(Render, TakesACameraFile) {
   const ScratchFolder folder;
   const std::string config = folder.write("small.json", small_config(3));
@@ -154,6 +170,20 @@ TEST(Film, FramesAreJoinedByFfmpeg) {
   ASSERT_NE(times, std::string::npos);
   EXPECT_EQ(movie.substr(times + 8, 4), std::string("\0\0\0\1", 4));
   EXPECT_EQ(movie.substr(times + 12, 4), std::string("\0\0\0\5", 4));
+}
+
+TEST(Film, FramesOfAnEarlierLongerRunAreNotInIt) {
+  const ScratchFolder folder;
+  // Stands in for ffmpeg and writes down what it was asked for.
+  folder.write("ffmpeg", "#!/bin/sh\necho \"$@\" > asked.txt\n");
+  std::filesystem::permissions(folder.path() / "ffmpeg", std::filesystem::perms::owner_all);
+  const Surroundings only("PATH", folder.path().c_str());
+  const std::string longer = folder.write("small.json", small_config(12));
+  ASSERT_EQ(run_erg(folder, {"run", longer, "--frames", "2", "--size", "65x47", "--quiet"}).exit_code, 0);
+  const Ended ended = film(folder);
+  ASSERT_EQ(ended.exit_code, 0) << ended.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder.file("out/small-frames/000006.png"))) << "of the longer run";
+  EXPECT_NE(read_text(folder.file("asked.txt")).find(" -frames:v 5 "), std::string::npos);
 }
 
 TEST(Film, WithoutFfmpegTheFramesStayAndSayWhatIsMissing) {

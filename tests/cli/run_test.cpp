@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
+#include <iterator>
 
 #include "program.h"
 
@@ -139,6 +142,30 @@ TEST(Run, WritesEveryFormat) {
   for (const char* row : {"\nstep,", "\n0,", "\n10,", "\n20,"}) {
     EXPECT_NE(table.find(row), std::string::npos) << row << "\n" << table;
   }
+}
+
+TEST(Run, WritesTheMeshesAskedForAndNothingElse) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(2));
+  const Ended ended = run_erg(folder, {"run", config, "--out", "out", "--format", "obj,ply,stl", "--quiet"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.errors;
+  const std::filesystem::directory_iterator written(folder.path() / "out");
+  EXPECT_EQ(std::distance(begin(written), end(written)), 3);
+  const std::string stem = folder.file("out/small-000002");
+  const std::string obj = read_text(stem + ".obj");
+  std::size_t corners = 0;
+  for (std::size_t at = 0; (at = obj.find("\nv ", at)) != std::string::npos; ++at) ++corners;
+  EXPECT_EQ(corners, cells);
+  const std::string ply = read_text(stem + ".ply");
+  EXPECT_EQ(ply.substr(0, 4), "ply\n");
+  EXPECT_NE(ply.find("element vertex " + std::to_string(cells) + "\n"), std::string::npos);
+  // A header of 80 bytes, the number of triangles, 50 bytes for each.
+  const std::string stl = read_text(stem + ".stl");
+  ASSERT_GT(stl.size(), 84u);
+  std::uint32_t triangles = 0;
+  std::memcpy(&triangles, stl.data() + 80, sizeof triangles);
+  EXPECT_GT(triangles, 0u);
+  EXPECT_EQ(stl.size(), 84 + std::size_t{50} * triangles);
 }
 
 TEST(Run, SetChangesAValue) {

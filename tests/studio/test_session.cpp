@@ -56,6 +56,14 @@ Snapshot snapshot_of(Simulation& simulation, std::uint64_t number) {
   }
 }
 
+/// Ends a session as a crash would, one save done.
+void leave_behind(const fs::path& folder) {
+  Session session(folder);
+  Simulation simulation(titled(1));
+  session.save(snapshot_of(simulation, 1));
+  session.keep();
+}
+
 TEST(Session, AKillAtAnyMomentLosesNothing) {
   for (const auto pause : {0ms, 7ms, 20ms}) {
     const TemporaryFolder folder;
@@ -95,12 +103,7 @@ TEST(Session, AnOrderlyEndLeavesNothing) {
 
 TEST(Session, AKeptOneIsFound) {
   const TemporaryFolder folder;
-  {
-    Session session(folder.path());
-    Simulation simulation(titled(1));
-    session.save(snapshot_of(simulation, 1));
-    session.keep();
-  }
+  leave_behind(folder.path());
   EXPECT_EQ(Session::lost(folder.path()).size(), 1u);
 }
 
@@ -134,12 +137,7 @@ TEST(Session, AFolderThatCannotBeWrittenIsSaid) {
 
 TEST(Session, ADamagedCheckpointIsRefused) {
   const TemporaryFolder folder;
-  {
-    Session session(folder.path());
-    Simulation simulation(titled(1));
-    session.save(snapshot_of(simulation, 1));
-    session.keep();
-  }
+  leave_behind(folder.path());
   const std::vector<LostSession> lost = Session::lost(folder.path());
   ASSERT_EQ(lost.size(), 1u);
   const fs::path checkpoint = lost[0].folder / "run1-1.checkpoint";

@@ -108,10 +108,10 @@ TEST(Setup, TheTemperatureOfSnowIsEditedInItsRange) {
   EXPECT_EQ(setup.config(), before);
   ASSERT_FALSE(setup.set_temperatures(-20, -4).has_value());
   ASSERT_FALSE(setup.set_temperature_curve({{0, 0}, {1, 1}}).has_value());
-  const std::vector<double> sampled = setup.sampled_temperature(5);
-  EXPECT_EQ(sampled.front(), -20);
-  EXPECT_NEAR(sampled[2], -12, 1e-9);
-  EXPECT_EQ(sampled.back(), -4);
+  const Temperature& now = setup.config().temperature;
+  EXPECT_EQ(now.at(0), -20);
+  EXPECT_NEAR(now.at(0.5), -12, 1e-9);
+  EXPECT_EQ(now.at(1), -4);
   EXPECT_EQ(parse_config(config_text(setup.config()), "test"), setup.config());
   EXPECT_EQ(setup.in_force_on(before).temperature.last, -4) << "may change in a run";
   setup.choose_material(Material::sand);

@@ -1,0 +1,88 @@
+// Part of sweep_kernels.inl: the scratch of one row of a strip's lanes, and their random numbers.
+
+/// Scratch of one row of a strip. Masks are 0 or all ones.
+template <typename Lane>
+struct Row {
+  alignas(64) Lane height[strip_lines];
+  alignas(64) Lane bedrock[strip_lines];
+  alignas(64) Lane dark[strip_lines];
+  alignas(64) Lane random[strip_lines];
+  alignas(64) Lane held[strip_lines];       // mask: nothing lifts here
+  alignas(64) Lane threshold[strip_lines];  // a slab stays if its random byte is below
+  alignas(64) Lane sure[strip_lines];       // mask: every slab stays
+  alignas(64) Lane lifted[strip_lines];
+  alignas(64) Lane landed[strip_lines];
+  alignas(64) Lane leaving[strip_lines];
+  alignas(64) std::uint8_t cover[strip_lines];
+  alignas(64) Lane next_bedrock[strip_lines];
+  alignas(64) std::uint32_t landing_words[strip_lines / 4];
+  std::uint64_t word;  // of this row; keys its draws
+};
+
+/// One bit for each of 64 lanes: set where the lane holds more than `limit` (0 or 2). Lanes hold less than half of
+/// what they can, so an addition carries into a lane's top bit and no further.
+template <int limit, typename Lane>
+std::uint64_t lanes_above(const Lane* lanes) {
+  constexpr int lanes_per_word = 8 / static_cast<int>(sizeof(Lane));
+  constexpr int lane_bits = 8 * static_cast<int>(sizeof(Lane));
+  constexpr bool bytes = sizeof(Lane) == 1;
+  constexpr std::uint64_t ones = bytes ? 0x0101010101010101u : 0x0001000100010001u;
+  constexpr std::uint64_t carry = ones * ((std::uint64_t{1} << (lane_bits - 1)) - 1 - limit);
+  // Multiplying gathers the top bits of a word's lanes in its uppermost bits, in order.
+  constexpr std::uint64_t gather = bytes ? 0x0102040810204080u : 0x0001000200040008u;
+  constexpr int gathered_at = bytes ? 56 : 48;
+  constexpr std::uint64_t gathered = (1u << lanes_per_word) - 1;
+  std::uint64_t mask = 0;
+  for (int word_number = 0; word_number < 64 / lanes_per_word; ++word_number) {
+    std::uint64_t word;
+    __builtin_memcpy(&word, lanes + word_number * lanes_per_word, 8);
+    const std::uint64_t top = ((word + carry) >> (lane_bits - 1)) & ones;
+    mask |= ((top * gather) >> gathered_at & gathered) << (word_number * lanes_per_word);
+  }
+  return mask;
+}
+
+/// Random bytes of a strip's lanes, keyed by line.
+template <typename Lane>
+class LineDraws {
+ public:
+  LineDraws(int first_line, int lanes) : first_quad_(static_cast<std::uint32_t>(first_line) / 4), lanes_(lanes) {}
+
+  /// Random bytes for all lanes, of a fresh draw.
+  void fill(Lane* lanes, std::uint32_t key) const {
+    const std::uint32_t first = first_quad_;
+    std::uint32_t words[strip_lines / 4];
+    ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
+    spread(words, lanes);
+  }
+
+  /// The same for the draws of the first landing, from whose words further ones follow.
+  void fill_landing(Row<Lane>& row) const {
+    const std::uint32_t key = draw_key(row.word, Draw::first_landing);
+    const std::uint32_t first = first_quad_;
+    std::uint32_t* __restrict words = row.landing_words;
+    ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
+    spread(words, row.random);
+  }
+
+  template <Draw draw>
+  void fill_next(Row<Lane>& row) const {
+    std::uint32_t words[strip_lines / 4];
+    const std::uint32_t* __restrict landing_words = row.landing_words;
+    ERG_EACH(q, lanes_ / 4) words[q] = next_word(landing_words[q], draw);
+    spread(words, row.random);
+  }
+
+ private:
+  /// Cuts words into bytes, one for each lane (little-endian).
+  void spread(const std::uint32_t* words, Lane* lanes) const {
+    if constexpr (sizeof(Lane) == 1) {
+      std::memcpy(lanes, words, static_cast<std::size_t>(lanes_));
+    } else {
+      for (int i = 0; i < lanes_; ++i) lanes[i] = static_cast<Lane>(words[i / 4] >> (8 * (i % 4)) & 0xff);
+    }
+  }
+
+  const std::uint32_t first_quad_;  // four lines share a word
+  const int lanes_;
+};
