@@ -32,7 +32,7 @@ void add_gui_command(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("gui", "Open the window (so does `erg` alone)");
   command->add_option("CONFIG", *config, "Config file, name of a preset, or checkpoint (default: the gallery)");
   command->add_option("--scale", request->scale, "Size of letters and controls (default: as the screen suggests)")
-      ->check(CLI::Range(0.5, 4.0));
+      ->check(CLI::Range(Settings::smallest_scale, Settings::largest_scale));
   command->add_option("--width", request->width, "Width of the window in pixels")->check(CLI::Range(640, 16384));
   command->add_option("--height", request->height, "Height of the window in pixels")->check(CLI::Range(480, 16384));
   command->add_option("--ui-map", request->widget_map,

@@ -172,9 +172,7 @@ std::string Studio::title() const {
          std::to_string(config.grid.integer("nx")) + " x " + std::to_string(config.grid.integer("ny"));
 }
 
-const RunSnapshot* Studio::active_run() const {
-  return active_ < snapshot_->runs.size() ? &snapshot_->runs[active_] : nullptr;
-}
+const RunSnapshot* Studio::active_run() const { return snapshot_->has_runs() ? &snapshot_->runs[shown()] : nullptr; }
 
 void Studio::start_export(const fs::path& path, const std::string& format) {
   if (active_run() == nullptr) {
@@ -182,7 +180,7 @@ void Studio::start_export(const fs::path& path, const std::string& format) {
     return;
   }
   export_.reset();  // one at a time: stops the one before
-  export_ = std::make_unique<Export>(path, format, snapshot_, active_);
+  export_ = std::make_unique<Export>(path, format, snapshot_, shown());
   export_reported_ = false;
 }
 

@@ -1,6 +1,7 @@
 // Everything the window shows and does, without a window: what a panel gets to see.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -67,7 +68,10 @@ class Studio {
   /// "barchan field - Momiji et al. 2000, 512 x 512".
   std::string title() const;
 
-  /// The run that the active setup made, as it stands; null before it is there.
+  /// The place in the snapshot of the run that panels show: the active setup's, or the last one while a run just added
+  /// is not made yet.
+  std::size_t shown() const { return std::min(active_, snapshot_->runs.size() - 1); }
+  /// That run; null before there is any.
   const RunSnapshot* active_run() const;
   /// Starts an export of the active run (export_formats(); a checkpoint is one of them). Stops the one before.
   void start_export(const std::filesystem::path& path, const std::string& format);

@@ -77,7 +77,7 @@ std::vector<KeyHelp> key_help(const std::vector<Action>& actions) {
   }
   const std::vector<KeyHelp> land{
       {"Land", "left drag", "turn the land (or use the tool that a panel has switched on)"},
-      {"Land", "right drag, middle drag", "shift the land"},
+      {"Land", "right drag, middle drag, Shift+left drag", "shift the land"},
       {"Land", "Ctrl+left drag", "look around from where you stand"},
       {"Land", "wheel", "come nearer to what is under the pointer, or go away"},
       {"Land", "W A S D", "fly forwards, left, back, right"},

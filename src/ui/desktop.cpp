@@ -134,13 +134,12 @@ ImTextureID Desktop::picture(const std::filesystem::path& path) {
 }
 
 void Desktop::save_picture(const PictureOrder& order) {
-  const Snapshot& now = studio_.now();
-  if (!now.has_runs()) throw InputError(order.path.string(), "there is no land to draw", "create one first");
+  const RunSnapshot* const run = studio_.active_run();
+  if (run == nullptr) throw InputError(order.path.string(), "there is no land to draw", "create one first");
   Look look = shell_.scenery().look;
   look.transparent = order.transparent;
   look.legend = shell_.scenery().legend;
-  const RunSnapshot& run = now.runs[std::min(studio_.active(), now.runs.size() - 1)];
-  const Picture picture = land_.picture(run, look, shell_.scenery().camera.camera(), order.size);
+  const Picture picture = land_.picture(*run, look, shell_.scenery().camera.camera(), order.size);
   const MetadataEntries entries = metadata(studio_.provenance());
   if (order.transparent) {
     write_png(order.path, picture.image, entries);

@@ -65,13 +65,11 @@ void FileBrowser::draw_places(Studio& studio) {
     const WidgetScope scope("recent");
     ImGui::Spacing();
     explain("Recent");
-    bool any = false;
     for (const std::string& recent : studio.settings().recent) {
       const fs::path path = recent;
-      any = true;
       if (pick(path.filename().string(), false, recent)) choose(path);
     }
-    if (!any) explain("Nothing yet. The gallery has presets to start from.");
+    if (studio.settings().recent.empty()) explain("Nothing yet. The gallery has presets to start from.");
   }
   ImGui::EndChild();
 }

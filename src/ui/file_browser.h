@@ -52,7 +52,6 @@ class FileBrowser {
   std::filesystem::path asked_about_;  ///< the file that would be overwritten; empty: no question
   std::optional<std::filesystem::path> chosen_;
   bool cancelled_ = false;
-  bool read_anew_ = false;
 };
 
 /// A browser in a popup over everything, for a panel that needs a file.

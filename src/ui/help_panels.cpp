@@ -35,10 +35,7 @@ class KeysPanel final : public Panel {
   ImVec2 size() const override { return {520, 560}; }
   void draw(Desk& desk) override {
     for (std::size_t next = 0; next < desk.keys.size();) next = draw_keys(desk.keys, next);
-    explain(
-        "In the panels: Shift while dragging snaps curve points and the wind's dial; a double click on a slider opens "
-        "it "
-        "for typing.");
+    explain("In the panels: Shift while dragging snaps curve points and the wind's dial.");
   }
 };
 
@@ -53,8 +50,7 @@ class AboutPanel final : public Panel {
     ImGui::Spacing();
     explain(
         "Heights are whole slabs, so mass is kept exactly; random numbers are a function of seed, step and cell, so "
-        "the "
-        "same seed grows the same dunes on any number of threads.");
+        "the same seed grows the same dunes on any number of threads.");
     ImGui::Spacing();
     explain("Each model names its publication in the tooltip of SETUP / model. MIT licence.");
     explain("Made with Dear ImGui, freeglut, GLEW, Eigen, nlohmann JSON, libpng, zlib and stb.");

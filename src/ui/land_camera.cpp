@@ -61,10 +61,9 @@ void LandCamera::stay_near(const LandBox& land) {
   const double side = std::max(land.east, land.north);
   camera_.distance = std::clamp(camera_.distance, nearest * side, farthest * side);
   // Where the target lies outside, half a land's width away is far enough to see its edge.
-  const auto hold = [](double place, double low, double high) { return std::clamp(place, low, high); };
-  camera_.target[0] = hold(camera_.target[0], -0.5 * land.east, 1.5 * land.east);
-  camera_.target[1] = hold(camera_.target[1], -0.5 * land.north, 1.5 * land.north);
-  camera_.target[2] = hold(camera_.target[2], land.low - side, land.high + side);
+  camera_.target[0] = std::clamp(camera_.target[0], -0.5 * land.east, 1.5 * land.east);
+  camera_.target[1] = std::clamp(camera_.target[1], -0.5 * land.north, 1.5 * land.north);
+  camera_.target[2] = std::clamp(camera_.target[2], land.low - side, land.high + side);
 }
 
 }  // namespace erg

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/units.h"
+#include "ui/axis_ticks.h"
 #include "ui/gui.h"
 #include "wind/bearing.h"
 
@@ -14,32 +14,11 @@ namespace {
 
 constexpr float margin = 12;  // pixels at scale 1, from the edges of the land
 constexpr float plate_opacity = 0.78f;
-
-std::string number_text(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
+constexpr int most_marks = 6;  // of the legend's scale
 
 ImU32 with_opacity(ImVec4 colour, float opacity) {
   colour.w = opacity;
   return ImGui::GetColorU32(colour);
-}
-
-// The values of a scale where its marks stand: round, three to six of them.
-std::vector<double> ticks(double low, double high) {
-  const double span = high - low;
-  if (!(span > 0)) return {low};
-  double step = std::pow(10, std::floor(std::log10(span)));
-  for (const double part : {0.5, 0.4, 0.5}) {
-    if (span / step >= 3) break;
-    step *= part;
-  }
-  std::vector<double> values;
-  for (double value = std::ceil(low / step) * step; value <= high + 1e-9 * span; value += step) {
-    values.push_back(std::abs(value) < 1e-9 * span ? 0 : value);
-  }
-  return values;
 }
 
 // The direction on the screen (to the right, downwards) in which one goes north, east ... seen from above.
@@ -93,7 +72,7 @@ void draw_legend(const LandPart& land, const Look& look) {
   const ImVec2 corner{static_cast<float>(land.part.left) + gui.px(margin),
                       static_cast<float>(land.part.top) + gui.px(margin)};
   if (look.is_material()) {
-    draw_plate({corner.x, corner.y + gui.px(24)}, "contours every " + number_text(look.contours) + " m",
+    draw_plate({corner.x, corner.y + gui.px(24)}, "contours every " + figure_text(look.contours) + " m",
                gui.theme().text);
     return;
   }
@@ -115,13 +94,17 @@ void draw_legend(const LandPart& land, const Look& look) {
                        {inner.x + bar, top + high * static_cast<float>(part + 1) / parts},
                        ImGui::GetColorU32(ImVec4(at.red, at.green, at.blue, 1)));
   }
-  for (const double value : ticks(scale.low, scale.high)) {
-    const double part = scale.high > scale.low ? (scale.high - value) / (scale.high - scale.low) : 0;
+  const auto mark = [&](double part, const std::string& text) {
     const float y = top + high * static_cast<float>(part);
     list.AddLine({inner.x + bar, y}, {inner.x + bar + gui.px(4), y}, ImGui::GetColorU32(gui.theme().text));
-    list.AddText({inner.x + bar + gui.px(8), y - 0.5f * line}, ImGui::GetColorU32(gui.theme().text),
-                 number_text(value).c_str());
+    list.AddText({inner.x + bar + gui.px(8), y - 0.5f * line}, ImGui::GetColorU32(gui.theme().text), text.c_str());
+  };
+  const Ticks ticks = round_ticks({scale.low, scale.high}, most_marks);
+  for (int tick = 0; tick < ticks.count; ++tick) {
+    const double value = ticks.at(tick);
+    mark((scale.high - value) / (scale.high - scale.low), tick_text(value, ticks.step));
   }
+  if (ticks.count == 0) mark(0, figure_text(scale.low));  // one value everywhere
 }
 
 void draw_wind_rose(const LandPart& land, const Camera& camera) {

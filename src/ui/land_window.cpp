@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace erg {
@@ -245,7 +246,7 @@ void LandWindow::draw_empty(Desk& desk) const {
   if (button("Choose a preset", {.tooltip = "The gallery of lands that are ready to grow (G)",
                                  .look = ButtonLook::accent,
                                  .size = {wide, 0}})) {
-    desk.open("GALLERY");
+    desk.open(panel_title::gallery);
   }
   ImGui::SameLine();
   if (button("Create from the setup", {.tooltip = "Make the land that the SETUP panel describes", .size = {wide, 0}})) {

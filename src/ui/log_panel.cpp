@@ -17,7 +17,8 @@ class LogPanel final : public Panel {
 
  private:
   void draw_levels(const Log& log);
-  void draw_lines(const Log& log);
+  bool read_lines(const Log& log);
+  void draw_lines(bool news) const;
 
   LogLevel least_ = LogLevel::information;
   std::vector<LogLine> lines_;
@@ -40,13 +41,16 @@ void LogPanel::draw_levels(const Log& log) {
   }
 }
 
-void LogPanel::draw_lines(const Log& log) {
-  const bool news = version_ != log.version() || read_level_ != least_;
-  if (news) {
-    lines_ = log.lines(least_);
-    version_ = log.version();
-    read_level_ = least_;
-  }
+/// Copies the log where it or the level has changed; true then.
+bool LogPanel::read_lines(const Log& log) {
+  if (version_ == log.version() && read_level_ == least_) return false;
+  version_ = log.version();
+  read_level_ = least_;
+  lines_ = log.lines(least_);
+  return true;
+}
+
+void LogPanel::draw_lines(bool news) const {
   const Theme& theme = Gui::current().theme();
   ImGui::BeginChild("lines", {0, 0}, true, ImGuiWindowFlags_AlwaysVerticalScrollbar);
   if (lines_.empty()) explain("Nothing to tell.");
@@ -65,13 +69,14 @@ void LogPanel::draw(Desk& desk) {
   Log& log = desk.studio.log();
   draw_levels(log);
   ImGui::SameLine();
-  const bool empty = log.lines(least_).empty();
+  const bool news = read_lines(log);
+  const bool empty = lines_.empty();
   if (button("COPY", {.tooltip = "The lines shown, to the clipboard.", .unavailable = empty ? "No lines." : ""})) {
     ImGui::SetClipboardText(log.text(least_).c_str());
   }
   ImGui::SameLine();
   if (button("CLEAR", {.tooltip = "Forgets all lines.", .unavailable = empty ? "No lines." : ""})) log.clear();
-  draw_lines(log);
+  draw_lines(news);
 }
 
 }  // namespace

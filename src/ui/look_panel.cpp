@@ -109,7 +109,7 @@ void LookPanel::draw(Desk& desk) {
 }
 
 void LookPanel::draw_what(Desk& desk) {
-  const std::vector<LookChoice> choices = look_choices(desk.studio.now(), desk.studio.active());
+  const std::vector<LookChoice> choices = look_choices(desk.studio.now(), desk.studio.shown());
   const auto shown =
       std::find_if(choices.begin(), choices.end(), [&](const LookChoice& c) { return c.key == scenery_.look.show; });
   if (shown == choices.end()) scenery_.look.show = "material";  // a field that this model does not have

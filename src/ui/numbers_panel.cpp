@@ -151,8 +151,7 @@ void NumbersPanel::draw(Desk& desk) {
     return;
   }
   if (section("Over time")) draw_over_time(now);
-  const std::size_t active = std::min(desk.studio.active(), now.runs.size() - 1);
-  if (section("How they are spread")) draw_spread(now.runs[active]);
+  if (section("How they are spread")) draw_spread(*desk.studio.active_run());
   save(desk.studio);
 }
 

@@ -93,7 +93,7 @@ void PaintPanel::stroke(Desk& desk) {
   dab.y = land.cell->y + 0.5;
   dab.radius = radius_;
   dab.amount = static_cast<std::int32_t>(takes_ ? -amount_ : amount_);
-  desk.studio.runner().paint(std::min(desk.studio.active(), desk.studio.now().runs.size() - 1), dab, stroke_);
+  desk.studio.runner().paint(desk.studio.shown(), dab, stroke_);
 }
 
 void PaintPanel::mark_rim(Desk& desk) const {

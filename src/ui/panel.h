@@ -65,10 +65,9 @@ struct Desk {
 
 /// Where a panel lies.
 enum class Dock {
-  left,    ///< a section of the left column
-  right,   ///< a section of the right column
-  bottom,  ///< a strip below the land
-  dialog   ///< a window of its own over the land, opened from the menus or by Desk::open
+  left,   ///< a section of the left column
+  right,  ///< a section of the right column
+  dialog  ///< a window of its own over the land, opened from the menus or by Desk::open
 };
 
 class Panel {

@@ -79,8 +79,9 @@ void PicturePanel::draw_sizes() {
       height_ = size.height;
     }
   }
-  integer_row({.label = "width", .unit = "pixels", .tooltip = "1 to 16384 pixels"}, width_, 1, largest_side);
-  integer_row({.label = "height", .unit = "pixels", .tooltip = "1 to 16384 pixels"}, height_, 1, largest_side);
+  const std::string range = "1 to " + std::to_string(largest_side) + " pixels";
+  integer_row({.label = "width", .unit = "pixels", .tooltip = range}, width_, 1, largest_side);
+  integer_row({.label = "height", .unit = "pixels", .tooltip = range}, height_, 1, largest_side);
 }
 
 void PicturePanel::write(Desk& desk) {

@@ -155,10 +155,6 @@ double PlotArea::x_at(float pixel) const {
   return std::lerp(x.low, x.high, static_cast<double>((pixel - upper_left.x) / (lower_right.x - upper_left.x)));
 }
 
-double PlotArea::y_at(float pixel) const {
-  return std::lerp(y.low, y.high, static_cast<double>((lower_right.y - pixel) / (lower_right.y - upper_left.y)));
-}
-
 ImU32 line_colour(int line) { return ImGui::ColorConvertFloat4ToU32(Gui::current().theme().line(line)); }
 
 PlotArea draw_axes(const char* id, const PlotFrame& frame) {

@@ -50,7 +50,6 @@ struct PlotArea {
 
   ImVec2 at(double px, double py) const;
   double x_at(float pixel) const;
-  double y_at(float pixel) const;
 };
 
 /// Colours of lines that are told apart easily, on dark and on light.

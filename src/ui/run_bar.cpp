@@ -206,14 +206,12 @@ bool draw_status(Studio& studio, float frames_per_second) {
   std::string state = to_string(now.activity);
   if (!now.message.empty()) state += ": " + now.message;
   status_item("state", state, colour_of(now.activity, theme), "What the simulation is doing");
-  if (now.has_runs()) {
-    const RunSnapshot& run = now.runs[std::min(studio.active(), now.runs.size() - 1)];
+  if (const RunSnapshot* const run = studio.active_run()) {
     status_item("steps", short_number(now.steps_per_second) + " steps/s", theme.text, "Steps done in the last second");
     status_item("polls", short_number(now.polls_per_second) + " polls/s", theme.text,
                 "Cells asked for a slab in the last second, all runs together");
-    status_item("executor", run.executor_text(), theme.text, "What does the work");
-    const std::int64_t drift = run.mass_drift();
-
+    status_item("executor", run->executor_text(), theme.text, "What does the work");
+    const std::int64_t drift = run->mass_drift();
     status_item("drift", "mass drift " + std::to_string(drift), drift == 0 ? theme.text : theme.lost,
                 "Slabs on the ground beyond what the account says: start + in - out. It is 0, always.");
   }

@@ -130,15 +130,15 @@ void SectionPanel::save(Studio& studio) {
 }
 
 void SectionPanel::draw(Desk& desk) {
-  const Snapshot& now = desk.studio.now();
-  if (!now.has_runs()) {
+  const RunSnapshot* const run = desk.studio.active_run();
+  if (run == nullptr) {
     explain("There is no land to cut yet.");
     return;
   }
   take_clicks(desk);
   draw_buttons(desk);
   draw_hint();
-  if (from_ && to_) draw_cut(now.runs[std::min(desk.studio.active(), now.runs.size() - 1)]);
+  if (from_ && to_) draw_cut(*run);
   mark_line(desk);
   save(desk.studio);
 }

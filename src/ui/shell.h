@@ -63,8 +63,6 @@ class Shell {
   bool is_open(const std::string& title) const;
 
  private:
-  struct Open;
-
   void make_actions();
   void make_file_actions();
   void make_view_actions();

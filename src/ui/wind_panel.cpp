@@ -67,8 +67,7 @@ void WindPanel::draw_kind(WindEditor wind) {
                           .size = {half, 0}}) &&
       seasons) {
     put_aside_ = wind.regime().seasons;
-    const Season blowing = wind.season(std::min(selected_, wind.seasons() - 1));
-    Season constant = blowing;
+    Season constant = wind.season(selected_);
     constant.last = constant.first;
     constant.curve = {};
     put_in_place(wind, {constant});

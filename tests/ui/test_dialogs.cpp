@@ -133,5 +133,42 @@ TEST(RecoveryPanel, ShowsNothingAfterAnOrderlyEnd) {
   EXPECT_FALSE(make_recovery_panel()->wanted(desk));
 }
 
+/// What a crash leaves at step 3 of the small terrain.
+void leave_session(const TemporaryFolder& folder) {
+  Config config = small_config();
+  config.title = "left behind";
+  Studio studio({folder / "settings", folder / "state", folder / "presets"});
+  studio.setup().replace(config);
+  studio.create();
+  studio.runner().run(3);
+  studio.runner().wait_until_still();
+  studio.rescue();
+}
+
+TEST(RecoveryPanel, RecoverGoesOnFromWhatWasSaved) {
+  PanelHand panel(make_recovery_panel(), leave_session);
+  ASSERT_EQ(panel.studio.lost_sessions().size(), 1u);
+  panel.hand.click("RECOVERY/session 1/RECOVER");
+  panel.settle();
+  EXPECT_TRUE(panel.studio.lost_sessions().empty());
+  EXPECT_EQ(panel.studio.setup().config().title, "left behind");
+  ASSERT_TRUE(panel.studio.now().has_runs());
+  EXPECT_EQ(panel.studio.now().step(), 3);
+  EXPECT_EQ(panel.studio.now().activity, Activity::paused);
+  EXPECT_EQ(panel.closed, (std::vector<std::string>{"RECOVERY", "GALLERY"}));
+}
+
+TEST(RecoveryPanel, DiscardDeletesWhatWasSaved) {
+  PanelHand panel(make_recovery_panel(), leave_session);
+  ASSERT_EQ(panel.studio.lost_sessions().size(), 1u);
+  const std::filesystem::path saved = panel.studio.lost_sessions().front().folder;
+  ASSERT_TRUE(std::filesystem::exists(saved / "session.json"));
+  panel.hand.click("RECOVERY/session 1/DISCARD");
+  EXPECT_TRUE(panel.studio.lost_sessions().empty());
+  EXPECT_FALSE(std::filesystem::exists(saved));
+  EXPECT_FALSE(panel.studio.now().has_runs());
+  EXPECT_TRUE(panel.closed.empty());
+}
+
 }  // namespace
 }  // namespace erg::test

@@ -110,6 +110,24 @@ TEST(ComparePanel, ACopyIsAddedChangedCreatedAndRemoved) {
   EXPECT_FALSE(panel.hand.place("remove 1").enabled);
 }
 
+TEST(SectionPanel, WhileACopyWaitsForCreateTheCutIsThatOfTheRunShown) {
+  PanelHand panel(make_section_panel());
+  panel.create();
+  panel.studio.runner().run(3);
+  panel.studio.runner().wait_until_still();
+  panel.settle();
+  panel.studio.set_active(*panel.studio.comparison().add_copy_of(0));
+  panel.hand.click("PICK TWO POINTS");
+  panel.click_land({2, 3});
+  panel.click_land({22, 3});
+  panel.hand.click("SECTION/SAVE");
+  panel.hand.enter("SAVE SECTION/name", "cut.csv");
+  EXPECT_EQ(panel.studio.provenance().step, 3);
+  EXPECT_EQ(panel.studio.provenance().executor.find("none"), std::string::npos);
+  panel.studio.start_export(panel.folder / "run.checkpoint", "checkpoint");
+  EXPECT_NE(panel.studio.running_export(), nullptr);
+}
+
 TEST(ComparePanel, FourRunsAreTheMost) {
   PanelHand panel(make_compare_panel());
   panel.create();
