@@ -86,7 +86,7 @@ double signed_angle(double angle) { return std::remainder(angle, 360.0); }
 }  // namespace
 
 std::string executors_section(const ValidationOptions& options) {
-  const int seeds = options.quick ? 2 : 5;
+  const int seeds = options.quick ? 2 : 12;
   const std::vector<std::int64_t> watch =
       options.quick ? std::vector<std::int64_t>{100, 200} : std::vector<std::int64_t>{200, 400, 1000};
   const std::vector<Column> columns = statistics_columns(watch);
