@@ -36,6 +36,7 @@ DuneMeans shapes(const PlantScene& scene, int seed) {
   Config config = read_config(config_path(scene.preset));
   for (const std::string& setting : scene.settings) set_from_text(config, setting);
   set_from_text(config, "run.executor=cpu");
+  set_from_text(config, "run.threads=1");  // small lands: two threads would wait for each other more than they work
   set_from_text(config, "run.seed=" + std::to_string(seed));
   Simulation simulation(config);
   while (simulation.step_count() < scene.steps && !simulation.finished()) simulation.step();

@@ -54,7 +54,9 @@ TEST(Bedforms, CrustIsWhereAllSnowHasBonded) {
   EXPECT_EQ(measure_bedforms(terrain, west).crust, 0) << "no field, no crust";
   terrain.edit_mobile()(0, 0) = 5;  // bonded to the top
   terrain.edit_mobile()(1, 0) = 5;  // a loose slab on it
-  Field bonded{{.key = "bonded"}, Grid<float>(terrain.extent())};
+  Field bonded;
+  bonded.info.key = "bonded";
+  bonded.values = Grid<float>(terrain.extent());
   bonded.values(0, 0) = 5;
   bonded.values(1, 0) = 4;
   terrain.edit_fields().push_back(bonded);
