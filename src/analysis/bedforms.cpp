@@ -25,6 +25,18 @@ Grid<double> smoothed(const Terrain& terrain) {
   return result;
 }
 
+/// Share of the cells whose snow has all bonded.
+double bare_crust(const Terrain& terrain) {
+  const Field* bonded = find_field(terrain.fields(), "bonded");
+  if (bonded == nullptr) return 0;
+  std::int64_t bare = 0;
+  for (std::size_t cell = 0; cell < terrain.extent().cells(); ++cell) {
+    const auto hard = static_cast<std::int32_t>(bonded->values[cell]);
+    if (hard > 0 && hard == terrain.mobile()[cell]) ++bare;
+  }
+  return static_cast<double>(bare) / static_cast<double>(terrain.extent().cells());
+}
+
 }  // namespace
 
 BedformShape measure_bedforms(const Terrain& terrain, double bearing) {
@@ -50,14 +62,17 @@ BedformShape measure_bedforms(const Terrain& terrain, double bearing) {
   BedformShape shape;
   if (along2 + across2 > 0) shape.across = across2 / (along2 + across2);
   if (along2 > 0) shape.skew = along3 / cells / std::pow(along2 / cells, 1.5);
-  shape.relief = std::sqrt(std::max(0.0, sum2 / cells - mean * mean));
+  shape.relief = terrain.quantum() * std::sqrt(std::max(0.0, sum2 / cells - mean * mean));
+  shape.crust = bare_crust(terrain);
   return shape;
 }
 
 std::string bedform_name(const BedformShape& shape) {
-  if (shape.relief < 2) return "flat";
-  if (shape.across < 0.4) return "waves";
-  return shape.across > 0.55 && shape.skew > 0 ? "sastrugi" : "rough";
+  if (shape.relief < least_relief) return "flat";
+  if (shape.across < waves_across) return "waves";
+  if (shape.across < streaks_across) return "rough";
+  const bool carved = shape.crust >= least_sastrugi_crust && shape.skew >= least_sastrugi_skew;
+  return carved && shape.relief >= least_sastrugi_relief ? "sastrugi" : "streaks";
 }
 
 }  // namespace erg

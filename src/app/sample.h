@@ -35,7 +35,7 @@ struct SeedRun {
 /// The config of the preset cfg/thesis/NAME.json. Throws InputError when it is not there.
 Config thesis_config(const std::string& name);
 
-/// Runs `config` on `executor` with seeds 1 to `seeds`, each to the config's last step; serial runs share the
+/// Runs `config` on `executor` with seeds 1 to `seeds`, each to the config's last step; the runs share the
 /// processors. `watch`: steps at which to measure the standard deviation of height.
 std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor, int seeds,
                                const std::vector<std::int64_t>& watch = {});

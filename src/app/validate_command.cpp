@@ -17,9 +17,13 @@ struct Section {
 };
 
 constexpr Section sections[] = {
-    {"published", published_section}, {"executors", executors_section},
-    {"bearings", bearings_section},   {"ripples", ripples_section},
-    {"snow", snow_section},           {"identities", [](const ValidationOptions&) { return identities_section(); }},
+    {"published", published_section},
+    {"executors", executors_section},
+    {"bearings", bearings_section},
+    {"ripples", ripples_section},
+    {"plants", plants_section},
+    {"snow", snow_section},
+    {"identities", [](const ValidationOptions&) { return identities_section(); }},
 };
 
 std::vector<std::string> section_names() {
@@ -49,8 +53,11 @@ void add_validate_command(CLI::App& program, Action& action) {
       program.add_subcommand("validate", "Measure what is in print beside this program's figures (long)");
   command->add_flag("--quick", options->validation.quick, "Fewer seeds and steps, only the small scenes");
   command->add_option("--out", options->out, "Markdown file to write (default: print)");
-  command->add_option("--section", options->section, "Only this section of the document")
-      ->check(CLI::IsMember(section_names()));
+  CLI::Option* section = command->add_option("--section", options->section, "Only this section of the document")
+                             ->check(CLI::IsMember(section_names()));
+  command->add_option("--scene", options->validation.scene, "With --section published: only the row of this preset")
+      ->check(CLI::IsMember(published_presets()))
+      ->needs(section);
   command->callback([&action, options] {
     action = [options] {
       std::string document;

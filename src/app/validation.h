@@ -3,22 +3,28 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace erg {
 
 struct ValidationOptions {
   bool quick = false;  ///< fewer seeds, fewer steps, only the small scenes
+  std::string scene;   ///< of the published scenes only this preset of cfg/thesis/; empty: all of them
 };
 
 /// Each measures (and says on standard error what it is at) and returns a section of Markdown.
 /// Published maxima of the presets in cfg/thesis/, on `serial` and `cpu`.
 std::string published_section(const ValidationOptions& options);
+/// The presets of which it has a row.
+std::vector<std::string> published_presets();
 /// `serial` and `cpu`: the statistics of the same scenes over several seeds.
 std::string executors_section(const ValidationOptions& options);
 /// Barchans under a straight and several oblique winds.
 std::string bearings_section(const ValidationOptions& options);
 /// Which forms sintering snow takes, by wind and calm hours.
 std::string snow_section(const ValidationOptions& options);
+/// Shapes of dunes among plants, beside the same land without plants.
+std::string plants_section(const ValidationOptions& options);
 /// Ripples of the grain model under several winds.
 std::string ripples_section(const ValidationOptions& options);
 /// What follows from the rules by algebra.

@@ -50,12 +50,18 @@ Identity flat_bed(const char* what, const char* chance, double exact) {
 
 }  // namespace
 
+std::vector<std::string> published_presets() {
+  std::vector<std::string> presets;
+  for (const PublishedScene& scene : published_scenes) presets.push_back(scene.preset);
+  return presets;
+}
+
 std::string published_section(const ValidationOptions& options) {
   const int seeds = options.quick ? 1 : 3;
   TextTable table;
   table.heading = {"scene", "in print", "serial", "deviation", "cpu", "deviation"};
   for (const PublishedScene& scene : published_scenes) {
-    if (options.quick && scene.large) continue;
+    if (!options.scene.empty() ? options.scene != scene.preset : options.quick && scene.large) continue;
     const Config config = thesis_config(scene.preset);
     std::vector<std::string> row{config.title, scene.max_slabs > 0 ? std::to_string(scene.max_slabs) : "-"};
     for (const char* executor : {"serial", "cpu"}) {

@@ -35,9 +35,17 @@ std::string form(const SnowScene& scene, double wind, int calm_hours) {
   Simulation simulation(config);
   for (int step = 0; step < scene.steps; ++step) simulation.step();
   const BedformShape shape = measure_bedforms(simulation.terrain(), config.wind.at(0).bearing);
-  const double relief = shape.relief * simulation.terrain().quantum() * 100;
   return bedform_name(shape) + " (" + fixed_text(shape.across, 2) + ", " + fixed_text(shape.skew, 1) + ", " +
-         fixed_text(relief, 1) + " cm)";
+         fixed_text(shape.relief * 100, 1) + " cm, " + fixed_text(shape.crust, 2) + ")";
+}
+
+/// How `bedform_name` names a form, in words.
+std::string naming_rule() {
+  return "Named by these numbers: flat under " + fixed_text(least_relief * 100, 1) + " cm, waves under " +
+         fixed_text(waves_across, 2) + " across, streaks from " + fixed_text(streaks_across, 2) +
+         " on, rough between. Streaks are sastrugi where they are carved: at least " +
+         fixed_text(least_sastrugi_relief * 100, 0) + " cm, skew " + fixed_text(least_sastrugi_skew, 1) + " and " +
+         fixed_text(least_sastrugi_crust * 100, 0) + "% bare bonded snow.";
 }
 
 }  // namespace
@@ -49,9 +57,9 @@ std::string snow_section(const ValidationOptions& options) {
   std::string section =
       "## Forms of sintering snow, by wind and calm hours\n\n128 x 128 cells, -10 deg C, one seed, the defaults of "
       "`erg model snow_sintering`. In brackets: share of the squared slope that lies across the wind (ridges across it "
-      "0, along it 1), skew of the slope along the wind (positive: faces toward the wind are the steeper ones) and "
-      "standard deviation of height. Named by these numbers: flat under 2 slabs of relief, waves under 0.4 across, "
-      "sastrugi over 0.55 with a positive skew, else rough.\n";
+      "0, along it 1), skew of the slope along the wind (positive: faces toward the wind are the steeper ones), "
+      "standard deviation of height, and share of the cells on which bonded snow lies bare. " +
+      naming_rule() + "\n";
   for (const SnowScene& scene : snow_scenes()) {
     TextTable table;
     table.heading = {"calm hours \\ wind, m/s"};

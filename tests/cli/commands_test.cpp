@@ -66,6 +66,7 @@ TEST(Commands, ValidatePrintsTheSectionAskedFor) {
   EXPECT_EQ(section.output.find("## Identities\n"), 0u) << section.output;
   EXPECT_EQ(section.output.find("\n## "), std::string::npos) << "no other section";
   EXPECT_EQ(run_erg(folder, {"validate", "--section", "identity"}).exit_code, 2);
+  EXPECT_EQ(run_erg(folder, {"validate", "--scene", "snow_ripples"}).exit_code, 2) << "a row of which section";
 }
 
 TEST(Commands, BenchWritesARowForEachExecutor) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/dune_patches.h"
 #include "sim/simulation.h"
 
 namespace erg {
@@ -11,6 +12,7 @@ namespace {
 
 Config plants(std::vector<std::string> settings) {
   Config config("nield_baas");
+  set_from_text(config, "run.threads=1");  // small lands; the result is the same for any number
   for (const std::string& setting : settings) set_from_text(config, setting);
   return config;
 }
@@ -110,34 +112,46 @@ TEST(Plants, HoldSteeperSlopes) {
   EXPECT_GE(steepest("0.35"), 9);  // 40 deg: 9 slabs stand
 }
 
-/// The mean ratio of length along the wind to width across it of patches of sand over `least` slabs.
-double elongation(const Terrain& terrain, int least) {
-  // Autocorrelation of the thick places: how far they reach along and across.
-  const auto reach = [&](int dx, int dy) {
-    double together = 0;
-    double alone = 0;
-    for (int y = 0; y < terrain.ny(); ++y) {
-      for (int x = 0; x < terrain.nx(); ++x) {
-        if (terrain.mobile()(x, y) < least) continue;
-        ++alone;
-        if (terrain.mobile().wrapped(x + dx, y + dy) >= least) ++together;
-      }
-    }
-    return alone > 0 ? together / alone : 0;
-  };
-  double along = 0;
-  double across = 0;
-  for (int distance = 1; distance < 16; ++distance) {
-    along += reach(distance, 0);
-    across += reach(0, distance);
+/// Patches of at least 30 cells whose sand is `least` slabs thick or more, at the end of runs with seeds 1 to `seeds`.
+DuneMeans dunes_grown(const std::vector<std::string>& settings, int steps, int least, int seeds) {
+  std::vector<DunePatch> dunes;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    Config config = plants(settings);
+    set_from_text(config, "run.seed=" + std::to_string(seed));
+    Simulation simulation(config);
+    for (int step = 0; step < steps; ++step) simulation.step();
+    const std::vector<DunePatch> found = find_dunes(simulation.terrain(), simulation.last_wind().bearing, least, 30);
+    dunes.insert(dunes.end(), found.begin(), found.end());
   }
-  return along / across;
+  return mean_of_dunes(dunes);
 }
 
 TEST(Plants, MakeNebkhasLongerThanWide) {
-  Simulation simulation(plants({"grid.nx=128", "grid.ny=128", "scene.sand=3", "wind.strength=5", "run.executor=cpu"}));
-  for (int step = 0; step < 500; ++step) simulation.step();
-  EXPECT_GT(elongation(simulation.terrain(), 12), 1.15);
+  const DuneMeans nebkhas =
+      dunes_grown({"grid.nx=128", "grid.ny=128", "scene.sand=3", "wind.strength=5", "run.executor=cpu"}, 500, 12, 2);
+  EXPECT_GT(nebkhas.dunes, 20);
+  EXPECT_GT(nebkhas.length_over_width, 1.15);
+}
+
+TEST(Plants, TurnNebkhasIntoParabolicDunesWithArmsUpwind) {
+  // Single dunes differ much, so the mean over seeds; dunes of the same land without plants, which are lower, have no
+  // such arms.
+  std::vector<std::string> settings{"grid.nx=96",      "grid.ny=96",       "scene.sand=3",
+                                    "wind.strength=5", "run.executor=cpu", "parameters.mesquite_low=0"};
+  EXPECT_LT(dunes_grown(settings, 1500, 12, 6).arms, -0.3);
+  settings.insert(settings.end(), {"parameters.grass=false", "parameters.mesquite=false"});
+  EXPECT_GT(dunes_grown(settings, 1500, 6, 3).arms, -0.15);
+}
+
+TEST(Plants, BlowOutIntoThreeDunesWithArmsUpwind) {
+  Simulation simulation(
+      plants({"grid.nx=100", "grid.ny=100", "scene.sand=20", "wind.strength=1", "parameters.polling=repeated",
+              "parameters.lift_in_shadow=true", "parameters.vegetation=blowouts", "parameters.grass_start=0.2",
+              "parameters.mesquite=false", "parameters.shrub=true", "parameters.shrub_start=0.9", "run.executor=cpu"}));
+  for (int step = 0; step < 1600; ++step) simulation.step();
+  const std::vector<DunePatch> dunes = find_dunes(simulation.terrain(), 270, 25, 30);
+  EXPECT_EQ(dunes.size(), 3u) << "apart from each other";
+  for (const DunePatch& dune : dunes) EXPECT_LT(dune.arms, -0.2);
 }
 
 }  // namespace
