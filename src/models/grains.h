@@ -17,11 +17,16 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
-#include "models/grain_bed.h"
 #include "models/model.h"
+#include "transport/grain_step.h"
+#include "wind/wind_frame.h"
 
 namespace erg {
+
+/// Key of the layer of plants that the model declares; that of bonded grains is `bonded_field`.
+inline constexpr const char* plants_field = "vegetation";
 
 class GrainModel : public Model {
  public:
@@ -39,21 +44,16 @@ class GrainModel : public Model {
   const FlightSums& flights() const { return flights_; }
 
  private:
-  struct Totals;
-  struct Hopper;
-
-  const std::vector<float>& shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
-  void fly_all(const GrainLaw& law, StepKey key, int sub_step, Executor& executor, Totals& totals);
-  void let_in(const GrainLaw& law, double inflow, StepKey key, int sub_step, Totals& totals);
-  void splash(const GrainLaw& law, StepKey key, int sub_step, Executor& executor, Totals& totals);
-  StepReport report(Terrain& terrain, const Totals& totals);
-  void trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainLaw& law, StepKey key, int sub_step);
+  std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
+  GrainStepLaw step_law(const Terrain& terrain, const WindFrame& frame, const WindNow& wind);
+  void trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law, StepKey key,
+                   const FrozenGround& ground);
 
   ParameterValues values_;
-  GrainBed bed_;
-  std::vector<float> shelter_;
-  double shelter_bearing_ = 0;  // of the wind that shelter_ is for
-  Grid<float> shelter_plants_;  // of which it was made
+  std::shared_ptr<const std::vector<float>> shelter_;
+  double shelter_bearing_ = 0;          // of the wind that shelter_ is for
+  Grid<float> shelter_plants_;          // of which it was made
+  std::uint64_t shelter_revision_ = 0;  // of the terrain's fields when the plants were last looked at
   FlightSums flights_;
   std::int64_t lifts_ = 0;
   std::int64_t cut_off_ = 0;  // since the run was begun or taken up

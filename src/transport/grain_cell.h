@@ -6,7 +6,6 @@
 // to i + 1), heights and speeds metric.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -30,6 +29,7 @@ struct FrozenGround {
   int width = 0;
   int length = 0;
   bool torus = true;
+  double base = 0;  ///< m: what the points' heights count from
 
   ERG_CELL_RULE const GroundPoint& of_cell(int u, int v) const {
     return points[static_cast<std::int64_t>(v + 1) * (width + 2) + u + 1];
@@ -161,7 +161,7 @@ ERG_CELL_RULE float wind_at(const GrainLaw& law, float height) {
   constexpr std::uint32_t mantissa_bits = 20;  // 23, less three for eight parts an octave
   constexpr std::int32_t first = (127 + profile_lowest) * profile_parts;
   if (!(height > 0)) return 0;
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(height);
+  const std::uint32_t bits = __builtin_bit_cast(std::uint32_t, height);  // std::bit_cast is the host's alone
   const std::int32_t node = static_cast<std::int32_t>(bits >> mantissa_bits) - first;
   if (node < 0) return 0;
   if (node >= profile_nodes - 1) return law.wind_speed[profile_nodes - 1];
