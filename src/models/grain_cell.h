@@ -94,6 +94,7 @@ struct Grain {
   float speed_z = 0;
   float drag = 0;     ///< 1/m
   float viscous = 0;  ///< 1/s
+  float mixed = 0;    ///< 1/sqrt(m s): the part of the drag that grows with the root of the relative speed
   float along = 0;    ///< m flown downwind so far
 };
 
@@ -180,6 +181,7 @@ ERG_CELL_RULE float arc_tangent(float ratio) {
 ERG_CELL_RULE void give_size(const GrainLaw& law, int size, Grain& grain) {
   grain.drag = law.drag[size];
   grain.viscous = law.viscous[size];
+  grain.mixed = 2 * std::sqrt(grain.drag * grain.viscous);
 }
 
 /// Sets a grain off from a random place in the cell, in the local wind.
@@ -232,7 +234,7 @@ ERG_CELL_RULE void advance(const GrainLaw& law, const GroundSpot& spot, Grain& g
   const float against_u = wind * law.toward_u - grain.speed_u;
   const float against_v = wind * law.toward_v - grain.speed_v;
   const float relative = std::sqrt(against_u * against_u + against_v * against_v + grain.speed_z * grain.speed_z);
-  const float pull = (grain.drag * relative + grain.viscous) * law.time_step;
+  const float pull = (grain.drag * relative + grain.mixed * std::sqrt(relative) + grain.viscous) * law.time_step;
   const float kept = 1 / (1 + pull);
   grain.speed_u += against_u * pull * kept;
   grain.speed_v += against_v * pull * kept;
