@@ -75,11 +75,12 @@ Parameters air_and_grain_parameters() {
                      "Standard deviation of the logarithm of the diameter (log-normal); 0: all grains alike."),
       real_parameter(
           "drag_coefficient", "Drag coefficient", "", 1, 0, 10,
-          "The part of the drag coefficient that does not depend on speed; the viscous part, 24 / Re, comes on "
-          "top. Cimbura 2022 has .5 alone, which is right for grains of centimetres.",
-          "near White 1991, eq. 3-225"),
-      real_parameter("air_viscosity", "Viscosity of the air", "kg/(m s)", 1.8e-5, 0, 1e-3,
-                     "Dynamic viscosity of the air, for the viscous part of the drag (Stokes)."),
+          "C of the drag (sqrt C + sqrt(24 / Re))^2: what is left of it at high speed; 1 for natural sand, .5 for "
+          "spheres. Cimbura 2022 has .5 alone, which is right for grains of centimetres.",
+          "Claudin & Andreotti 2006"),
+      real_parameter(
+          "air_viscosity", "Viscosity of the air", "kg/(m s)", 1.8e-5, 0, 1e-3,
+          "Dynamic viscosity of the air: of the Reynolds number in the drag. 0: the drag coefficient alone."),
       real_parameter("roughness_ratio", "Diameter over roughness", "", 30, 1, 1000,
                      "The log profile starts at the median diameter divided by this.", "Bagnold 1941"),
       real_parameter("threshold_coefficient", "Threshold coefficient", "", 0.0123, 0, 1,
@@ -136,12 +137,13 @@ Parameters bed_parameters() {
           "ripple moves."),
       real_parameter("splash_speed", "Speed of half the splash", "m/s", 1, 0.01, 100,
                      "Impact speed v at which half of them come loose."),
-      real_parameter("reptation", "Reptation", "m per m/s", 0.012, 0, 1,
-                     "Mean way of a grain knocked loose (exponential), for each m/s of the impact."),
-      real_parameter("reptation_slope", "Reptation uphill", "", 1.5, 0, 100,
-                     "The way is multiplied by 1 - this * slope, at least by .1: shorter uphill, longer downhill."),
+      real_parameter("reptation", "Reptation", "m per m/s", 0.008, 0, 1,
+                     "Mean way on level ground of a grain knocked loose (exponential), for each m/s of the impact."),
+      real_parameter("reptation_slope", "Reptation uphill", "", 2, 0, 100,
+                     "Cotangent of the angle at which it starts its low parabola. On a straight slope the way is "
+                     "multiplied by 1 - this * slope, at least by .1; over a crest it is longer."),
       real_parameter("sideways", "Sideways", "", 0.3, 0, 1, "Share of reptating grains that go across the wind."),
-      real_parameter("rolling", "Rolling", "", 2, 0, 100,
+      real_parameter("rolling", "Rolling", "", 4, 0, 100,
                      "Chance that a grain which comes to rest rolls on into a lower neighbour, for a slope of 1."),
       real_parameter("repose_angle", "Angle of repose", "deg", 33, 1, 80, "Slopes steeper than this slide."),
   };
