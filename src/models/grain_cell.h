@@ -49,6 +49,7 @@ struct GrainLaw {
   float toward_v = 1;
   float friction_velocity = 0;  ///< m/s
   float cells_a_metre = 100;
+  float gravity = 9.81f;     ///< m/s2
   float time_step = 0.002f;  ///< s
   int longest_steps = 0;     ///< of one flight
 
@@ -229,7 +230,6 @@ ERG_CELL_RULE void bounce(const GrainLaw& law, const GroundSpot& spot, Grain& gr
 /// One time step of free flight in the wind over `spot`, the ground under the grain. The drag is implicit, so that no
 /// step is too long for it.
 ERG_CELL_RULE void advance(const GrainLaw& law, const GroundSpot& spot, Grain& grain) {
-  constexpr float gravity = 9.81f;
   const float wind = grain.z > spot.shadow ? wind_at(law, grain.z - spot.height) * spot.wind : 0.0f;
   const float against_u = wind * law.toward_u - grain.speed_u;
   const float against_v = wind * law.toward_v - grain.speed_v;
@@ -238,7 +238,7 @@ ERG_CELL_RULE void advance(const GrainLaw& law, const GroundSpot& spot, Grain& g
   const float kept = 1 / (1 + pull);
   grain.speed_u += against_u * pull * kept;
   grain.speed_v += against_v * pull * kept;
-  grain.speed_z = (grain.speed_z - gravity * law.time_step) * kept;
+  grain.speed_z = (grain.speed_z - law.gravity * law.time_step) * kept;
 }
 
 /// Moves the grain on by `seconds` at its speed. False when it left over an open edge.

@@ -9,7 +9,6 @@ namespace erg {
 namespace {
 
 constexpr double karman = 0.4;
-constexpr double gravity = 9.81;
 constexpr double millimetre = 1e-3;
 
 double median_diameter(const ParameterValues& values) { return values.real("diameter") * millimetre; }
@@ -81,11 +80,14 @@ Parameters air_and_grain_parameters() {
       real_parameter(
           "air_viscosity", "Viscosity of the air", "kg/(m s)", 1.8e-5, 0, 1e-3,
           "Dynamic viscosity of the air: of the Reynolds number in the drag. 0: the drag coefficient alone."),
+      real_parameter("gravity", "Gravity", "m/s2", 9.81, 0.1, 100, "Weight of a kilogram; 3.71 on Mars."),
       real_parameter("roughness_ratio", "Diameter over roughness", "", 30, 1, 1000,
                      "The log profile starts at the median diameter divided by this.", "Bagnold 1941"),
       real_parameter("threshold_coefficient", "Threshold coefficient", "", 0.0123, 0, 1,
                      "Square of the dimensionless friction velocity at which air alone lifts grains.",
                      "Shao & Lu 2000"),
+      real_parameter("cohesion", "Cohesion", "kg/s2", 3e-4, 0, 1,
+                     "How strongly grains stick to each other: fine ones lift later.", "Shao & Lu 2000"),
       real_parameter("impact_ratio", "Threshold under impacts", "", 0.7, 0.1, 1,
                      "Threshold among flying grains, as a share of that of the air alone (Bagnold's .08 over Shao & "
                      "Lu's .111, rounded).",
@@ -183,9 +185,8 @@ Parameters grain_parameters() {
 }
 
 double lifting_threshold(const ParameterValues& values, double diameter) {
-  constexpr double cohesion = 3e-4;  // kg/s2
-  const double weight = values.real("grain_density") / values.real("air_density") * gravity * diameter;
-  const double sticking = cohesion / (values.real("air_density") * diameter);
+  const double weight = values.real("grain_density") / values.real("air_density") * values.real("gravity") * diameter;
+  const double sticking = values.real("cohesion") / (values.real("air_density") * diameter);
   return values.real("impact_ratio") * std::sqrt(values.real("threshold_coefficient") * (weight + sticking));
 }
 
@@ -215,6 +216,7 @@ GrainLaw grain_law(const ParameterValues& values, const WindNow& wind, const Win
   law.toward_v = static_cast<float>(frame.cosine);
   law.friction_velocity = static_cast<float>(friction);
   law.cells_a_metre = static_cast<float>(1 / cell_size);
+  law.gravity = static_cast<float>(values.real("gravity"));
   law.time_step = static_cast<float>(seconds);
   law.longest_steps = static_cast<int>(values.real("longest_flight") / seconds);
   law.lift_low = static_cast<float>(values.real("lift_low"));
