@@ -2,10 +2,10 @@
 // snow ripples.
 //
 // Physics: a grain leaves loose, unsheltered ground with an upward speed of B u* at 21 to 90 degrees, flies under
-// gravity and drag (d v / d t = -g + k |U - v| (U - v), k = 3 C_d rho_air / (4 rho_grain d)) in a log wind U(z) over
-// the local surface, and bounces: the speed across the ground is reversed and damped, that along it damped. It stays
-// when slow, in the 15 degree wind shadow, or after a few bounces. Every impact knocks grains loose that reptate a few
-// centimetres.
+// gravity and drag (d v / d t = -g + k |U - v| (U - v), k = 3 C_d rho_air / (4 rho_grain d), sqrt C_d = sqrt C +
+// sqrt(24 / Re)) in a log wind U(z) over the local surface, and bounces: the speed across the ground is reversed and
+// damped, that along it damped. It stays when slow, in the 15 degree wind shadow, or after a few bounces. Every impact
+// knocks grains loose that reptate a few centimetres, in low parabolas.
 //
 // Both theses' ripples crept upwind and their grains never settled. The cures here: height above the LOCAL ground, no
 // wind in the shadow, the wind among flying grains held at the threshold (Bagnold's focus), and splash, without which
