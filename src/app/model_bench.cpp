@@ -62,6 +62,10 @@ std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOpt
   std::fprintf(stderr, "bench: measuring %s, %d x %d cells\n", model.c_str(), side, side);
   std::vector<ModelBenchRow> rows{measure_grains(model, side, "serial", 1), measure_grains(model, side, "cpu", 1)};
   if (threads > 1) rows.push_back(measure_grains(model, side, "cpu", threads));
+  if (options.executor == "cpu") return rows;
+  // The same grid, for the bits, and all that was asked for, which would keep the processor busy for minutes.
+  rows.push_back(measure_grains(model, side, options.executor, threads));
+  if (options.grid > side) rows.push_back(measure_grains(model, options.grid, options.executor, threads));
   return rows;
 }
 

@@ -48,7 +48,16 @@ class CudaCalls : public DeviceCalls {
     return cudaMemsetAsync(device, byte, bytes, static_cast<cudaStream_t>(stream));
   }
   Status launch(DeviceKernel kernel, int blocks, const DevicePlan& plan, void* stream) override {
-    on_device::kernel_of(kernel)<<<blocks, device_block, 0, static_cast<cudaStream_t>(stream)>>>(plan);
+    return start(on_device::kernel_of(kernel), blocks, plan, stream);
+  }
+  Status launch(GrainKernel kernel, int blocks, const GrainPlan& plan, void* stream) override {
+    return start(on_device::kernel_of(kernel), blocks, plan, stream);
+  }
+
+ private:
+  template <typename Plan>
+  static Status start(void (*kernel)(Plan), int blocks, const Plan& plan, void* stream) {
+    kernel<<<blocks, device_block, 0, static_cast<cudaStream_t>(stream)>>>(plan);
     return cudaGetLastError();
   }
 };

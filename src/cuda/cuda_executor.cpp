@@ -8,14 +8,16 @@ constexpr std::size_t most_remembered = 256;
 
 }  // namespace
 
-CudaExecutor::CudaExecutor(const ExecutorOptions& options, std::unique_ptr<DeviceCalls> calls) : cpu_(options) {
+CudaExecutor::CudaExecutor(const ExecutorOptions& options, std::unique_ptr<DeviceCalls> calls)
+    : cpu_(options), sweeps_(options.sweeps) {
   try {
     device_ = std::make_unique<Device>(std::move(calls));
-    slabs_ = std::make_unique<DeviceSlabs>(*device_, options.sweeps);
   } catch (const DeviceError& error) {
     notice_ = std::string("cuda: ") + error.what() + "; computing on the processor";
   }
 }
+
+// --- steps ---
 
 StepReport CudaExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   if (device_) {
@@ -28,39 +30,109 @@ StepReport CudaExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNo
   return cpu_.step(terrain, law, wind, key);
 }
 
+GrainReport CudaExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+                                     const GroundLook& look) {
+  if (device_) {
+    try {
+      return fly_on_device(terrain, law, wind, key, look);
+    } catch (const DeviceError& error) {
+      give_up(terrain, error.what());
+    }
+  }
+  return cpu_.fly_grains(terrain, law, wind, key, look);
+}
+
 StepReport CudaExecutor::step_on_device(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
-  if (!holds(terrain)) {
-    loaded_ = nullptr;
-    done_.clear();
+  if (holder_ != Holder::slabs || !holds(terrain)) {
+    bring_back(terrain);
+    forget();
+    grains_.reset();
+    if (!slabs_) slabs_ = std::make_unique<DeviceSlabs>(*device_, sweeps_);
     slabs_->load(terrain, frame);
-    loaded_ = &terrain;
-    revision_ = terrain.revision();
+    take_up(Holder::slabs, terrain);
   }
   const StepReport report = slabs_->step(law, frame, wind.strength, key);
   terrain.ledger().in += report.slabs_in;
   terrain.ledger().out += report.slabs_out;
-  remember(law, wind, key);
-  if (done_.size() >= most_remembered) settle(terrain);
+  remember(again(law, wind, key), terrain);
   return report;
 }
 
-void CudaExecutor::remember(const SlabLaw& law, const WindNow& wind, StepKey key) {
-  Done step{law, nullptr, wind, key};
-  if (law.cover != nullptr) {
-    const bool same = !done_.empty() && done_.back().cover && done_.back().law.cover_revision == law.cover_revision;
-    step.cover = same ? done_.back().cover : std::make_shared<const CoverField>(*law.cover);
-    step.law.cover = step.cover.get();
+GrainReport CudaExecutor::fly_on_device(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+                                        const GroundLook& look) {
+  const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
+  if (holder_ != Holder::grains || !holds(terrain)) {
+    bring_back(terrain);
+    forget();
+    slabs_.reset();
+    if (!grains_) grains_ = std::make_unique<DeviceGrains>(*device_);
+    grains_->load(terrain, frame);
+    take_up(Holder::grains, terrain);
   }
+  const GrainReport report = book_grains(terrain, grains_->step(terrain, law, frame, key, look));
+  remember([this, law, wind, key](Terrain& ground) { cpu_.fly_grains(ground, law, wind, key, {}); }, terrain);
+  return report;
+}
+
+// --- what the device holds ---
+
+bool CudaExecutor::holds(const Terrain& terrain) const {
+  if (holder_ == Holder::none || loaded_ != &terrain || revision_ != terrain.revision()) return false;
+  return holder_ != Holder::grains || fields_revision_ == terrain.fields_revision();
+}
+
+void CudaExecutor::take_up(Holder holder, const Terrain& terrain) {
+  holder_ = holder;
+  loaded_ = &terrain;
+  revision_ = terrain.revision();
+  fields_revision_ = terrain.fields_revision();
+}
+
+void CudaExecutor::forget() {
+  holder_ = Holder::none;
+  loaded_ = nullptr;
+  done_.clear();
+  cover_.reset();
+}
+
+/// The cover may change before the step is done again: it needs one of its own, as long as the cover stays the same.
+CudaExecutor::Again CudaExecutor::again(const SlabLaw& law, const WindNow& wind, StepKey key) {
+  if (law.cover == nullptr) {
+    cover_.reset();
+  } else if (!cover_ || cover_revision_ != law.cover_revision) {
+    cover_ = std::make_shared<const CoverField>(*law.cover);
+    cover_revision_ = law.cover_revision;
+  }
+  return [this, law, cover = cover_, wind, key](Terrain& terrain) {
+    SlabLaw same = law;
+    same.cover = cover.get();
+    cpu_.step(terrain, same, wind, key);
+  };
+}
+
+void CudaExecutor::remember(Again step, Terrain& terrain) {
   done_.push_back(std::move(step));
+  if (done_.size() >= most_remembered) settle(terrain);
+}
+
+/// Brings the terrain back if the device has changed it.
+void CudaExecutor::bring_back(Terrain& terrain) {
+  if (!holds(terrain) || done_.empty()) return;
+  if (holder_ == Holder::slabs) {
+    slabs_->settle(terrain);
+  } else {
+    grains_->settle(terrain);
+  }
+  take_up(holder_, terrain);
+  done_.clear();
+  cover_.reset();
 }
 
 void CudaExecutor::settle(Terrain& terrain) {
-  if (device_ && holds(terrain) && !done_.empty()) {
+  if (device_) {
     try {
-      slabs_->settle(terrain);
-      revision_ = terrain.revision();
-      done_.clear();
+      bring_back(terrain);
       return;
     } catch (const DeviceError& error) {
       give_up(terrain, error.what());
@@ -74,12 +146,12 @@ void CudaExecutor::give_up(Terrain& terrain, const std::string& why) {
   notice_ = "cuda: " + why + "; computing on the processor from here on";
   if (holds(terrain)) {
     const MassLedger booked = terrain.ledger();
-    for (const Done& step : done_) cpu_.step(terrain, step.law, step.wind, step.key);
+    for (const Again& step : done_) step(terrain);
     terrain.ledger() = booked;
   }
-  done_.clear();
-  loaded_ = nullptr;
+  forget();
   slabs_.reset();
+  grains_.reset();
   device_.reset();
 }
 

@@ -1,16 +1,18 @@
-// The executor "cuda": the sub-sweeps of `cpu` on a graphics card, with the same bits. The terrain stays on the device
-// between steps; only what is asked for comes back.
+// The executor "cuda": the sub-sweeps of `cpu` and the flights of grains on a graphics card, with the same bits. The
+// terrain stays on the device between steps; only what is asked for comes back.
 //
 // Where the device is missing, full or fails, the processor goes on from the same state, and take_notice says so. For
-// that the executor remembers the laws of the steps since the terrain was last brought back: the processor does those
-// steps again, which gives the same bits.
+// that the executor remembers the steps since the terrain was last brought back: the processor does those steps again,
+// which gives the same bits.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "cuda/device_grains.h"
 #include "cuda/device_slabs.h"
 #include "transport/parallel_executor.h"
 
@@ -25,6 +27,8 @@ class CudaExecutor : public Executor {
   int threads() const override { return cpu_.threads(); }
   int sub_sweeps() const override { return cpu_.sub_sweeps(); }
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
+  GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+                         const GroundLook& look) override;
   void settle(Terrain& terrain) override;
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override {
     cpu_.for_pieces(items, work);
@@ -35,26 +39,35 @@ class CudaExecutor : public Executor {
   std::string device_name() const { return device_ ? device_->name() : std::string(); }
 
  private:
-  /// A step that the device has done, as the processor would need it to do it again.
-  struct Done {
-    SlabLaw law;
-    std::shared_ptr<const CoverField> cover;
-    WindNow wind;
-    StepKey key;
-  };
+  /// What the device holds the terrain as, if it holds one.
+  enum class Holder { none, slabs, grains };
+  /// A step that the device has done, to be done again by the processor.
+  using Again = std::function<void(Terrain& terrain)>;
 
   StepReport step_on_device(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key);
-  void remember(const SlabLaw& law, const WindNow& wind, StepKey key);
+  GrainReport fly_on_device(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+                            const GroundLook& look);
+  Again again(const SlabLaw& law, const WindNow& wind, StepKey key);
+  void remember(Again step, Terrain& terrain);
+  void bring_back(Terrain& terrain);
+  void take_up(Holder holder, const Terrain& terrain);
+  void forget();
   void give_up(Terrain& terrain, const std::string& why);
-  bool holds(const Terrain& terrain) const { return loaded_ == &terrain && revision_ == terrain.revision(); }
+  bool holds(const Terrain& terrain) const;
 
   ParallelExecutor cpu_;
+  int sweeps_;
   std::unique_ptr<Device> device_;
-  std::unique_ptr<DeviceSlabs> slabs_;  // freed before the device
+  std::unique_ptr<DeviceSlabs> slabs_;  // these are freed before the device
+  std::unique_ptr<DeviceGrains> grains_;
   std::string notice_;
+  Holder holder_ = Holder::none;
   const Terrain* loaded_ = nullptr;
   std::uint64_t revision_ = 0;
-  std::vector<Done> done_;  // since the terrain's layers were up to date
+  std::uint64_t fields_revision_ = 0;
+  std::vector<Again> done_;                  // since the terrain's layers were up to date
+  std::shared_ptr<const CoverField> cover_;  // of the last of them
+  std::uint64_t cover_revision_ = 0;
 };
 
 }  // namespace erg

@@ -67,9 +67,8 @@ void Device::fill(void* memory, int byte, std::size_t bytes) {
   check(calls_->fill(memory, byte, bytes, stream_), "filling memory");
 }
 
-void Device::launch(DeviceKernel kernel, std::int64_t items, const DevicePlan& plan) {
-  const std::int64_t blocks = std::clamp<std::int64_t>((items + device_block - 1) / device_block, 1, most_blocks);
-  check(calls_->launch(kernel, static_cast<int>(blocks), plan, stream_), "starting a kernel");
+int Device::blocks_for(std::int64_t items) {
+  return static_cast<int>(std::clamp<std::int64_t>((items + device_block - 1) / device_block, 1, most_blocks));
 }
 
 void Device::copy_in(void* memory, std::size_t bytes, const Pack& pack) {

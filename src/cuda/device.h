@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cuda/device_calls.h"
 
@@ -18,6 +21,9 @@ class DeviceError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+template <typename T>
+class DeviceArray;
 
 class Device {
  public:
@@ -31,9 +37,15 @@ class Device {
 
   void* allocate(std::size_t bytes);
   void release(void* memory) { calls_->release(memory); }
+  /// Makes an array one of `count` values, which are then undefined, unless it has so many.
+  template <typename T>
+  void fit(DeviceArray<T>& array, std::size_t count);
   void fill(void* memory, int byte, std::size_t bytes);
   /// Starts a kernel on `items` items.
-  void launch(DeviceKernel kernel, std::int64_t items, const DevicePlan& plan);
+  template <typename Kernel, typename Plan>
+  void launch(Kernel kernel, std::int64_t items, const Plan& plan) {
+    check(calls_->launch(kernel, blocks_for(items), plan, stream_), "starting a kernel");
+  }
 
   /// Copies `bytes` to the device, in pieces that `pack(target, first byte, bytes)` writes: the processor packs one
   /// while the one before is on its way.
@@ -42,6 +54,23 @@ class Device {
   /// The same from the device: `unpack(source, first byte, bytes)` reads each piece.
   using Unpack = std::function<void(const std::byte* source, std::size_t first, std::size_t bytes)>;
   void copy_out(const void* memory, std::size_t bytes, const Unpack& unpack);
+
+  /// Copies `count` values from the device.
+  template <typename T>
+  std::vector<T> fetch(const T* memory, std::size_t count) {
+    std::vector<T> values(count);
+    copy_out(memory, count * sizeof(T), [&](const std::byte* source, std::size_t first, std::size_t bytes) {
+      std::memcpy(reinterpret_cast<std::byte*>(values.data()) + first, source, bytes);
+    });
+    return values;
+  }
+  /// Sends values from the processor's memory as they are.
+  template <typename T>
+  void send(T* memory, const T* values, std::size_t count) {
+    copy_in(memory, count * sizeof(T), [&](std::byte* target, std::size_t first, std::size_t bytes) {
+      std::memcpy(target, reinterpret_cast<const std::byte*>(values) + first, bytes);
+    });
+  }
 
   /// Bytes of a piece; a multiple of every element's size.
   static constexpr std::size_t piece_bytes = std::size_t{1} << 22;
@@ -53,6 +82,7 @@ class Device {
   };
   void open();
   void close();
+  static int blocks_for(std::int64_t items);
   void check(DeviceCalls::Status status, const char* doing);
 
   std::unique_ptr<DeviceCalls> calls_;
@@ -93,5 +123,12 @@ class DeviceArray {
   std::size_t count_ = 0;
   T* data_ = nullptr;
 };
+
+template <typename T>
+void Device::fit(DeviceArray<T>& array, std::size_t count) {
+  if (array.size() == count) return;
+  array = DeviceArray<T>();  // before the new one, which may not fit beside it
+  if (count > 0) array = DeviceArray<T>(*this, count);
+}
 
 }  // namespace erg

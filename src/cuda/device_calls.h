@@ -10,6 +10,7 @@
 namespace erg {
 
 struct DevicePlan;
+struct GrainPlan;
 
 /// The kernels, as those who launch them name them.
 enum class DeviceKernel {
@@ -30,6 +31,9 @@ enum class DeviceKernel {
   slide_column_seams,
   slide_corners
 };
+
+/// The same for grains.
+enum class GrainKernel { lay, stage, freeze, shadow, rim, fly, let_in, hand_out, settle_accounts, slide, creep, bond };
 
 /// Threads in a block of every launch.
 inline constexpr int device_block = 256;
@@ -62,6 +66,7 @@ class DeviceCalls {
   virtual Status copy_out(void* pinned, const void* device, std::size_t bytes, void* stream) = 0;
   virtual Status fill(void* device, int byte, std::size_t bytes, void* stream) = 0;
   virtual Status launch(DeviceKernel kernel, int blocks, const DevicePlan& plan, void* stream) = 0;
+  virtual Status launch(GrainKernel kernel, int blocks, const GrainPlan& plan, void* stream) = 0;
 };
 
 /// The real ones; null where Erg was built without CUDA.

@@ -17,6 +17,8 @@
 
 namespace erg {
 
+struct WindFrame;
+
 inline constexpr std::uint32_t height_mask = 0xffff;
 inline constexpr std::uint32_t one_arrival = 0x10000;
 /// Rows that one thread scans for shadow.
@@ -36,6 +38,20 @@ struct SlabAloft {
   std::int32_t row = 0;
   std::int32_t next = -1;
 };
+
+/// Where the cells of the frame stand in the terrain's order.
+struct TerrainOrder {
+  int width = 0;
+  std::ptrdiff_t origin = 0;  ///< terrain cell of column 0, row 0; the others follow by these steps
+  std::ptrdiff_t step_u = 0;
+  std::ptrdiff_t step_v = 0;
+
+  ERG_CELL_RULE std::ptrdiff_t place(std::int32_t cell) const {
+    return origin + cell % width * step_u + cell / width * step_v;
+  }
+};
+
+TerrainOrder terrain_order(const WindFrame& frame);
 
 struct DevicePlan {
   int width = 0;
@@ -69,9 +85,7 @@ struct DevicePlan {
   int stands_covered = 0;        ///< the same where the higher cell's cover is covered_from or more
   int covered_from = 256;
 
-  std::ptrdiff_t origin = 0;  ///< terrain cell of column 0, row 0; the others follow by these steps
-  std::ptrdiff_t step_u = 0;
-  std::ptrdiff_t step_v = 0;
+  TerrainOrder order;
   std::int32_t* staged = nullptr;          ///< a layer in the terrain's order, on its way in or from frame to frame
   std::int32_t* shown = nullptr;           ///< the surface in the terrain's order as the processor last saw it
   std::uint32_t* bands_changed = nullptr;  ///< 1 for bands of band_cells cells of `shown` that have changed since

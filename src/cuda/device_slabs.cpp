@@ -5,19 +5,6 @@
 #include <cstring>
 
 namespace erg {
-namespace {
-
-template <typename T>
-std::vector<T> fetch(Device& device, const T* memory, std::size_t count) {
-  std::vector<T> values(count);
-  device.copy_out(memory, count * sizeof(T), [&](const std::byte* source, std::size_t first, std::size_t bytes) {
-    std::memcpy(reinterpret_cast<std::byte*>(values.data()) + first, source, bytes);
-  });
-  return values;
-}
-
-}  // namespace
-
 // --- in and out ---
 
 void DeviceSlabs::allocate(const Terrain& terrain) {
@@ -25,26 +12,21 @@ void DeviceSlabs::allocate(const Terrain& terrain) {
   const auto longest_side = static_cast<std::size_t>(std::max(terrain.nx(), terrain.ny()));
   const auto block = static_cast<std::size_t>(sweeps_ / 2);
   const std::size_t most_aloft = (count + block - 1) / block + longest_side;  // a slab for each poll of a sub-sweep
-  const auto fit = [&]<typename T>(DeviceArray<T>& array, std::size_t wanted) {
-    if (array.size() == wanted) return;
-    array = DeviceArray<T>();  // before the new one, which may not fit beside it
-    if (wanted > 0) array = DeviceArray<T>(device_, wanted);
-  };
-  fit(before_, count);
-  fit(after_, count);
-  fit(bedrock_, relief_ ? count : 0);
-  fit(cover_, cover_.size() > 0 ? count : 0);
-  fit(dark_, count);
-  fit(staged_, count);
-  fit(shown_, count);
-  fit(bands_changed_, (count + band_cells - 1) / band_cells);
-  fit(aloft_, open_ ? 0 : most_aloft);
-  fit(first_aloft_, longest_side);
-  fit(aloft_count_, 1);
-  fit(highest_, 2);
-  fit(hop_table_, device_heights);
-  fit(height_counts_, device_heights);
-  fit(tally_, static_cast<std::size_t>(tally_slots) * tallies);
+  device_.fit(before_, count);
+  device_.fit(after_, count);
+  device_.fit(bedrock_, relief_ ? count : 0);
+  device_.fit(cover_, cover_.size() > 0 ? count : 0);
+  device_.fit(dark_, count);
+  device_.fit(staged_, count);
+  device_.fit(shown_, count);
+  device_.fit(bands_changed_, (count + band_cells - 1) / band_cells);
+  device_.fit(aloft_, open_ ? 0 : most_aloft);
+  device_.fit(first_aloft_, longest_side);
+  device_.fit(aloft_count_, 1);
+  device_.fit(highest_, 2);
+  device_.fit(hop_table_, device_heights);
+  device_.fit(height_counts_, device_heights);
+  device_.fit(tally_, static_cast<std::size_t>(tally_slots) * tallies);
   device_.fill(first_aloft_.data(), 0xff, first_aloft_.bytes());
 }
 
@@ -79,9 +61,7 @@ void DeviceSlabs::load(const Terrain& terrain, const WindFrame& frame) {
     device_.launch(DeviceKernel::lay_bedrock, cells(), plan);
   }
   const std::uint32_t bounds[2] = {static_cast<std::uint32_t>(heights.highest), 0};
-  device_.copy_in(highest_.data(), sizeof bounds, [&](std::byte* target, std::size_t first, std::size_t bytes) {
-    std::memcpy(target, reinterpret_cast<const std::byte*>(bounds) + first, bytes);
-  });
+  device_.send(highest_.data(), bounds, 2);
   current_ = 0;
   cover_loaded_ = false;
 }
@@ -102,7 +82,7 @@ void DeviceSlabs::turn(const WindFrame& frame) {
 void DeviceSlabs::settle(Terrain& terrain) {
   device_.fill(bands_changed_.data(), 0, bands_changed_.bytes());
   device_.launch(DeviceKernel::show_surface, cells(), layout());
-  const std::vector<std::uint32_t> changed = fetch(device_, bands_changed_.data(), bands_changed_.size());
+  const std::vector<std::uint32_t> changed = device_.fetch(bands_changed_.data(), bands_changed_.size());
   struct Run {
     std::size_t first_cell;
     std::vector<std::int32_t> surface;
@@ -113,7 +93,7 @@ void DeviceSlabs::settle(Terrain& terrain) {
     const std::size_t first = band * band_cells;
     while (band + 1 < changed.size() && changed[band + 1] != 0) ++band;
     const std::size_t end = std::min(shown_.size(), (band + 1) * band_cells);
-    runs.push_back({first, fetch(device_, shown_.data() + first, end - first)});
+    runs.push_back({first, device_.fetch(shown_.data() + first, end - first)});
   }
   // Only now that nothing can fail any more: the layers must not be half new.
   const auto bedrock = terrain.bedrock().cells();
@@ -143,9 +123,7 @@ DevicePlan DeviceSlabs::layout() const {
   plan.aloft = aloft_.data();
   plan.aloft_count = aloft_count_.data();
   plan.tally = tally_.data();
-  plan.origin = frame_.origin;
-  plan.step_u = frame_.step_u;
-  plan.step_v = frame_.step_v;
+  plan.order = terrain_order(frame_);
   plan.staged = staged_.data();
   plan.shown = shown_.data();
   plan.bands_changed = bands_changed_.data();
@@ -171,11 +149,11 @@ void DeviceSlabs::load_cover(const SlabLaw& law) {
 
 /// Mean of |h - mean| over the cells, from counts of heights: the same sum as on the processor.
 double DeviceSlabs::mean_deviation(const DevicePlan& plan, double mean) {
-  const std::uint32_t highest = fetch(device_, highest_.data(), 2)[static_cast<std::size_t>(current_)];
+  const std::uint32_t highest = device_.fetch(highest_.data(), 2)[static_cast<std::size_t>(current_)];
   const std::size_t heights = std::min<std::size_t>(highest, device_heights - 1) + 1;
   device_.fill(height_counts_.data(), 0, heights * sizeof(std::uint32_t));
   device_.launch(DeviceKernel::count_heights, cells(), plan);
-  const std::vector<std::uint32_t> counts = fetch(device_, height_counts_.data(), heights);
+  const std::vector<std::uint32_t> counts = device_.fetch(height_counts_.data(), heights);
   double sum = 0;
   for (std::size_t height = 0; height < heights; ++height) {
     sum += static_cast<double>(counts[height]) * std::abs(static_cast<double>(height) - mean);
@@ -280,7 +258,7 @@ void DeviceSlabs::slide(DevicePlan plan, const SlabLaw& law) {
 
 DeviceSlabs::Counts DeviceSlabs::read_counts() {
   Counts counts;
-  const std::vector<TallyWord> words = fetch(device_, tally_.data(), tally_.size());
+  const std::vector<TallyWord> words = device_.fetch(tally_.data(), tally_.size());
   for (std::size_t k = 0; k < words.size(); ++k) counts.of[k % tallies] += static_cast<std::int64_t>(words[k]);
   return counts;
 }

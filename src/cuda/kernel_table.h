@@ -3,6 +3,7 @@
 
 #include "cuda/device_calls.h"
 #include "cuda/flight_kernels.h"
+#include "cuda/grain_kernels.h"
 #include "cuda/layout_kernels.h"
 #include "cuda/shadow_kernel.h"
 #include "cuda/slide_kernels.h"
@@ -10,6 +11,7 @@
 namespace erg::ERG_KERNEL_SPACE {
 
 using KernelFunction = void (*)(DevicePlan);
+using GrainKernelFunction = void (*)(GrainPlan);
 
 inline KernelFunction kernel_of(DeviceKernel kernel) {
   switch (kernel) {
@@ -45,6 +47,36 @@ inline KernelFunction kernel_of(DeviceKernel kernel) {
       return slide_column_seams;
     case DeviceKernel::slide_corners:
       return slide_corners;
+  }
+  return nullptr;
+}
+
+inline GrainKernelFunction kernel_of(GrainKernel kernel) {
+  switch (kernel) {
+    case GrainKernel::lay:
+      return grain_lay;
+    case GrainKernel::stage:
+      return grain_stage;
+    case GrainKernel::freeze:
+      return grain_freeze;
+    case GrainKernel::shadow:
+      return grain_shadow;
+    case GrainKernel::rim:
+      return grain_rim;
+    case GrainKernel::fly:
+      return grain_fly;
+    case GrainKernel::let_in:
+      return grain_let_in;
+    case GrainKernel::hand_out:
+      return grain_hand_out;
+    case GrainKernel::settle_accounts:
+      return grain_settle_accounts;
+    case GrainKernel::slide:
+      return grain_slide;
+    case GrainKernel::creep:
+      return grain_creep;
+    case GrainKernel::bond:
+      return grain_bond;
   }
   return nullptr;
 }

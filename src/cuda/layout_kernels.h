@@ -5,35 +5,30 @@
 
 namespace erg::ERG_KERNEL_SPACE {
 
-/// Where a cell of the frame stands in the terrain.
-__device__ inline std::ptrdiff_t staged_place(const DevicePlan& plan, std::int32_t cell) {
-  return plan.origin + cell % plan.width * plan.step_u + cell / plan.width * plan.step_v;
-}
-
 /// Heights over the lowest bedrock, from the terrain's order.
 __global__ void lay_surface(DevicePlan plan) {
   for (std::int32_t cell = first_item(); cell < plan.cells(); cell += item_stride()) {
-    plan.before[cell] = static_cast<std::uint32_t>(plan.staged[staged_place(plan, cell)]);
+    plan.before[cell] = static_cast<std::uint32_t>(plan.staged[plan.order.place(cell)]);
   }
 }
 
 __global__ void lay_bedrock(DevicePlan plan) {
   for (std::int32_t cell = first_item(); cell < plan.cells(); cell += item_stride()) {
-    plan.bedrock[cell] = static_cast<std::uint16_t>(plan.staged[staged_place(plan, cell)]);
+    plan.bedrock[cell] = static_cast<std::uint16_t>(plan.staged[plan.order.place(cell)]);
   }
 }
 
 /// Cover comes in as bytes.
 __global__ void lay_cover(DevicePlan plan) {
   for (std::int32_t cell = first_item(); cell < plan.cells(); cell += item_stride()) {
-    plan.cover[cell] = reinterpret_cast<const std::uint8_t*>(plan.staged)[staged_place(plan, cell)];
+    plan.cover[cell] = reinterpret_cast<const std::uint8_t*>(plan.staged)[plan.order.place(cell)];
   }
 }
 
 /// Shows the processor what has changed.
 __global__ void show_surface(DevicePlan plan) {
   for (std::int32_t cell = first_item(); cell < plan.cells(); cell += item_stride()) {
-    const std::ptrdiff_t place = staged_place(plan, cell);
+    const std::ptrdiff_t place = plan.order.place(cell);
     const auto height = static_cast<std::int32_t>(height_of(plan.before[cell]));
     if (plan.shown[place] == height) continue;
     plan.shown[place] = height;
@@ -44,13 +39,13 @@ __global__ void show_surface(DevicePlan plan) {
 /// The same ways back, for a turn.
 __global__ void stage_surface(DevicePlan plan) {
   for (std::int32_t cell = first_item(); cell < plan.cells(); cell += item_stride()) {
-    plan.staged[staged_place(plan, cell)] = static_cast<std::int32_t>(height_of(plan.before[cell]));
+    plan.staged[plan.order.place(cell)] = static_cast<std::int32_t>(height_of(plan.before[cell]));
   }
 }
 
 __global__ void stage_bedrock(DevicePlan plan) {
   for (std::int32_t cell = first_item(); cell < plan.cells(); cell += item_stride()) {
-    plan.staged[staged_place(plan, cell)] = plan.bedrock[cell];
+    plan.staged[plan.order.place(cell)] = plan.bedrock[cell];
   }
 }
 

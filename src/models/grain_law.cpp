@@ -9,7 +9,6 @@ namespace erg {
 namespace {
 
 constexpr double karman = 0.4;
-constexpr double gravity = 9.81;
 constexpr double millimetre = 1e-3;
 
 double median_diameter(const ParameterValues& values) { return values.real("diameter") * millimetre; }
@@ -75,16 +74,20 @@ Parameters air_and_grain_parameters() {
                      "Standard deviation of the logarithm of the diameter (log-normal); 0: all grains alike."),
       real_parameter(
           "drag_coefficient", "Drag coefficient", "", 1, 0, 10,
-          "The part of the drag coefficient that does not depend on speed; the viscous part, 24 / Re, comes on "
-          "top. Cimbura 2022 has .5 alone, which is right for grains of centimetres.",
-          "near White 1991, eq. 3-225"),
-      real_parameter("air_viscosity", "Viscosity of the air", "kg/(m s)", 1.8e-5, 0, 1e-3,
-                     "Dynamic viscosity of the air, for the viscous part of the drag (Stokes)."),
+          "C of the drag (sqrt C + sqrt(24 / Re))^2: what is left of it at high speed; 1 for natural sand, .5 for "
+          "spheres. Cimbura 2022 has .5 alone, which is right for grains of centimetres.",
+          "Claudin & Andreotti 2006"),
+      real_parameter(
+          "air_viscosity", "Viscosity of the air", "kg/(m s)", 1.8e-5, 0, 1e-3,
+          "Dynamic viscosity of the air: of the Reynolds number in the drag. 0: the drag coefficient alone."),
+      real_parameter("gravity", "Gravity", "m/s2", 9.81, 0.1, 100, "Weight of a kilogram; 3.71 on Mars."),
       real_parameter("roughness_ratio", "Diameter over roughness", "", 30, 1, 1000,
                      "The log profile starts at the median diameter divided by this.", "Bagnold 1941"),
       real_parameter("threshold_coefficient", "Threshold coefficient", "", 0.0123, 0, 1,
                      "Square of the dimensionless friction velocity at which air alone lifts grains.",
                      "Shao & Lu 2000"),
+      real_parameter("cohesion", "Cohesion", "kg/s2", 3e-4, 0, 1,
+                     "How strongly grains stick to each other: fine ones lift later.", "Shao & Lu 2000"),
       real_parameter("impact_ratio", "Threshold under impacts", "", 0.7, 0.1, 1,
                      "Threshold among flying grains, as a share of that of the air alone (Bagnold's .08 over Shao & "
                      "Lu's .111, rounded).",
@@ -136,12 +139,13 @@ Parameters bed_parameters() {
           "ripple moves."),
       real_parameter("splash_speed", "Speed of half the splash", "m/s", 1, 0.01, 100,
                      "Impact speed v at which half of them come loose."),
-      real_parameter("reptation", "Reptation", "m per m/s", 0.012, 0, 1,
-                     "Mean way of a grain knocked loose (exponential), for each m/s of the impact."),
-      real_parameter("reptation_slope", "Reptation uphill", "", 1.5, 0, 100,
-                     "The way is multiplied by 1 - this * slope, at least by .1: shorter uphill, longer downhill."),
+      real_parameter("reptation", "Reptation", "m per m/s", 0.008, 0, 1,
+                     "Mean way on level ground of a grain knocked loose (exponential), for each m/s of the impact."),
+      real_parameter("reptation_slope", "Reptation uphill", "", 2, 0, 100,
+                     "Cotangent of the angle at which it starts its low parabola. On a straight slope the way is "
+                     "multiplied by 1 - this * slope, at least by .1; over a crest it is longer."),
       real_parameter("sideways", "Sideways", "", 0.3, 0, 1, "Share of reptating grains that go across the wind."),
-      real_parameter("rolling", "Rolling", "", 2, 0, 100,
+      real_parameter("rolling", "Rolling", "", 4, 0, 100,
                      "Chance that a grain which comes to rest rolls on into a lower neighbour, for a slope of 1."),
       real_parameter("repose_angle", "Angle of repose", "deg", 33, 1, 80, "Slopes steeper than this slide."),
   };
@@ -181,9 +185,8 @@ Parameters grain_parameters() {
 }
 
 double lifting_threshold(const ParameterValues& values, double diameter) {
-  constexpr double cohesion = 3e-4;  // kg/s2
-  const double weight = values.real("grain_density") / values.real("air_density") * gravity * diameter;
-  const double sticking = cohesion / (values.real("air_density") * diameter);
+  const double weight = values.real("grain_density") / values.real("air_density") * values.real("gravity") * diameter;
+  const double sticking = values.real("cohesion") / (values.real("air_density") * diameter);
   return values.real("impact_ratio") * std::sqrt(values.real("threshold_coefficient") * (weight + sticking));
 }
 
@@ -213,6 +216,7 @@ GrainLaw grain_law(const ParameterValues& values, const WindNow& wind, const Win
   law.toward_v = static_cast<float>(frame.cosine);
   law.friction_velocity = static_cast<float>(friction);
   law.cells_a_metre = static_cast<float>(1 / cell_size);
+  law.gravity = static_cast<float>(values.real("gravity"));
   law.time_step = static_cast<float>(seconds);
   law.longest_steps = static_cast<int>(values.real("longest_flight") / seconds);
   law.lift_low = static_cast<float>(values.real("lift_low"));

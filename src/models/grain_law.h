@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/parameters.h"
-#include "models/grain_cell.h"
+#include "transport/grain_cell.h"
 #include "wind/regime.h"
 #include "wind/wind_frame.h"
 

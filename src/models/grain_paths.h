@@ -6,7 +6,7 @@
 
 #include "core/grain_path.h"
 #include "core/terrain.h"
-#include "models/grain_cell.h"
+#include "transport/grain_cell.h"
 #include "wind/wind_frame.h"
 
 namespace erg {

@@ -2,10 +2,10 @@
 // snow ripples.
 //
 // Physics: a grain leaves loose, unsheltered ground with an upward speed of B u* at 21 to 90 degrees, flies under
-// gravity and drag (d v / d t = -g + k |U - v| (U - v), k = 3 C_d rho_air / (4 rho_grain d)) in a log wind U(z) over
-// the local surface, and bounces: the speed across the ground is reversed and damped, that along it damped. It stays
-// when slow, in the 15 degree wind shadow, or after a few bounces. Every impact knocks grains loose that reptate a few
-// centimetres.
+// gravity and drag (d v / d t = -g + k |U - v| (U - v), k = 3 C_d rho_air / (4 rho_grain d), sqrt C_d = sqrt C +
+// sqrt(24 / Re)) in a log wind U(z) over the local surface, and bounces: the speed across the ground is reversed and
+// damped, that along it damped. It stays when slow, in the 15 degree wind shadow, or after a few bounces. Every impact
+// knocks grains loose that reptate a few centimetres, in low parabolas.
 //
 // Both theses' ripples crept upwind and their grains never settled. The cures here: height above the LOCAL ground, no
 // wind in the shadow, the wind among flying grains held at the threshold (Bagnold's focus), and splash, without which
@@ -17,11 +17,16 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
-#include "models/grain_bed.h"
 #include "models/model.h"
+#include "transport/grain_step.h"
+#include "wind/wind_frame.h"
 
 namespace erg {
+
+/// Key of the layer of plants that the model declares; that of bonded grains is `bonded_field`.
+inline constexpr const char* plants_field = "vegetation";
 
 class GrainModel : public Model {
  public:
@@ -39,21 +44,16 @@ class GrainModel : public Model {
   const FlightSums& flights() const { return flights_; }
 
  private:
-  struct Totals;
-  struct Hopper;
-
-  const std::vector<float>& shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
-  void fly_all(const GrainLaw& law, StepKey key, int sub_step, Executor& executor, Totals& totals);
-  void let_in(const GrainLaw& law, double inflow, StepKey key, int sub_step, Totals& totals);
-  void splash(const GrainLaw& law, StepKey key, int sub_step, Executor& executor, Totals& totals);
-  StepReport report(Terrain& terrain, const Totals& totals);
-  void trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainLaw& law, StepKey key, int sub_step);
+  std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
+  GrainStepLaw step_law(const Terrain& terrain, const WindFrame& frame, const WindNow& wind);
+  void trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law, StepKey key,
+                   const FrozenGround& ground);
 
   ParameterValues values_;
-  GrainBed bed_;
-  std::vector<float> shelter_;
-  double shelter_bearing_ = 0;  // of the wind that shelter_ is for
-  Grid<float> shelter_plants_;  // of which it was made
+  std::shared_ptr<const std::vector<float>> shelter_;
+  double shelter_bearing_ = 0;          // of the wind that shelter_ is for
+  Grid<float> shelter_plants_;          // of which it was made
+  std::uint64_t shelter_revision_ = 0;  // of the terrain's fields when the plants were last looked at
   FlightSums flights_;
   std::int64_t lifts_ = 0;
   std::int64_t cut_off_ = 0;  // since the run was begun or taken up

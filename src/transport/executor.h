@@ -1,6 +1,6 @@
 // Executors: what carries out a time step of the slab machine, and shares out a model's other work over threads.
-// `serial` is the reference (one slab at a time), `cpu` the parallel engine. A slab model hands over a law and never
-// moves slabs itself.
+// `serial` is the reference (one slab at a time), `cpu` the parallel engine. A model hands over a law, of slabs
+// (slab_law.h) or of single grains (grain_step.h), and never moves them itself.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,16 @@
 #include "core/random.h"
 #include "core/terrain.h"
 #include "transport/slab_law.h"
+#include "transport/step_report.h"
 #include "wind/regime.h"
 
 namespace erg {
 
-/// What one time step did, in counts.
-struct StepReport {
-  std::int64_t polls = 0;      ///< cells that were asked for a slab
-  std::int64_t lifts = 0;      ///< slabs lifted
-  double travel = 0;           ///< cells travelled downwind, summed over all slabs
-  std::int64_t slabs_in = 0;   ///< entered over an open edge
-  std::int64_t slabs_out = 0;  ///< left over an open edge
-  bool finished = false;       ///< nothing can move any more
-  std::string why_finished;
-
-  StepReport& operator+=(const StepReport& other);
-};
+struct FrozenGround;
+struct GrainReport;
+struct GrainStepLaw;
+/// Called with the ground that the flights of a step's last sub-step see; it may fly some of them once more.
+using GroundLook = std::function<void(const FrozenGround& ground)>;
 
 /// Carries out time steps.
 ///
@@ -44,7 +38,11 @@ class Executor {
   virtual int sub_sweeps() const { return 0; }
   /// Moves the slabs of one time step and books in- and outflow in the terrain's ledger.
   virtual StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) = 0;
-  /// Brings the terrain's layers up to date.
+  /// Flies the grains of one time step, lets their bed slide, creep and bond, and books in- and outflow. The same bits
+  /// on every executor. `look` may be empty.
+  virtual GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+                                 const GroundLook& look) = 0;
+  /// Brings the terrain's layers up to date, and its fields where an executor changes them.
   virtual void settle(Terrain& terrain) = 0;
   /// What the user should know that happened since this was last asked (a device was lost), in one line; mostly empty.
   virtual std::string take_notice() { return {}; }

@@ -204,6 +204,12 @@ std::pair<int, int> ParallelExecutor::share(int count, int member) const {
   return {part(member), part(member + 1)};
 }
 
+GrainReport ParallelExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+                                         const GroundLook& look) {
+  settle(terrain);
+  return grains_.step(terrain, law, wind, key, look, *this);
+}
+
 void ParallelExecutor::for_pieces(std::int64_t items,
                                   const std::function<void(std::int64_t begin, std::int64_t end)>& work) {
   team_.run([&](int member) {

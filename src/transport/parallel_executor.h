@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "transport/aligned_vector.h"
+#include "transport/grain_bed.h"
 #include "transport/sweep.h"
 #include "transport/thread_team.h"
 #include "wind/wind_frame.h"
@@ -28,6 +29,8 @@ class ParallelExecutor : public Executor {
   int threads() const override { return team_.size(); }
   int sub_sweeps() const override { return options_.sweeps; }
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
+  GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+                         const GroundLook& look) override;
   void settle(Terrain& terrain) override;
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override;
 
@@ -111,6 +114,7 @@ class ParallelExecutor : public Executor {
 
   ExecutorOptions options_;
   ThreadTeam team_;
+  GrainBed grains_;
 
   const Terrain* loaded_ = nullptr;
   std::uint64_t revision_ = 0;

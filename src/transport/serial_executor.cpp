@@ -87,6 +87,12 @@ void SerialExecutor::settle(Terrain& terrain) {
   revision_ = terrain.revision();
 }
 
+GrainReport SerialExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+                                       const GroundLook& look) {
+  settle(terrain);
+  return grains_.step(terrain, law, wind, key, look, *this);
+}
+
 void SerialExecutor::prepare(const SlabLaw& law, const WindNow& wind, StepKey key) {
   strength_ = wind.strength;
   key_ = key;

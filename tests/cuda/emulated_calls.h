@@ -110,9 +110,10 @@ class EmulatedCalls : public DeviceCalls {
     return 0;
   }
   Status launch(DeviceKernel kernel, int blocks, const DevicePlan& plan, void*) override {
-    if (const Status status = take("launch"); status != 0) return status;
-    run(emulated::kernel_of(kernel), std::min(blocks * device_block / card_->block + 1, card_->most_blocks), plan);
-    return 0;
+    return start(emulated::kernel_of(kernel), blocks, plan);
+  }
+  Status launch(GrainKernel kernel, int blocks, const GrainPlan& plan, void*) override {
+    return start(emulated::kernel_of(kernel), blocks, plan);
   }
 
  private:
@@ -154,8 +155,16 @@ class EmulatedCalls : public DeviceCalls {
     return order;
   }
 
+  template <typename Plan>
+  Status start(void (*kernel)(Plan), int blocks, const Plan& plan) {
+    if (const Status status = take("launch"); status != 0) return status;
+    run(kernel, std::min(blocks * device_block / card_->block + 1, card_->most_blocks), plan);
+    return 0;
+  }
+
   /// Every thread of the launch once: blocks in shuffled order, shared out over real threads; within a block shuffled.
-  void run(emulated::KernelFunction kernel, int blocks, const DevicePlan& plan) {
+  template <typename Plan>
+  void run(void (*kernel)(Plan), int blocks, const Plan& plan) {
     const std::uint64_t word = mix64(card_->shuffle + static_cast<std::uint64_t>(card_->calls));
     const std::vector<int> block_order = shuffled(blocks, word);
     const auto serve = [&](int member) {

@@ -3,6 +3,7 @@
 
 #include "cases.h"
 #include "cuda/cuda_executor.h"
+#include "grain_cases.h"
 
 namespace erg::test {
 namespace {
@@ -25,6 +26,16 @@ TEST(CudaDevice, GivesTheSameBitsOnDevelopedDunes) {
       if (executor.name() != "cuda") GTEST_SKIP() << executor.take_notice();
       expect_same_as_threads(scene, executor);
     }
+  }
+}
+
+TEST(CudaDevice, GivesTheSameBitsForGrains) {
+  std::vector<GrainCase> scenes = grain_cases();
+  scenes.push_back({"large", {.model = "grains", .extent = {517, 390}, .wind = {240, 7}, .sand = 40}, 1000, 8});
+  for (const GrainCase& scene : scenes) {
+    CudaExecutor executor({.name = "cuda", .threads = 2}, cuda_calls());
+    if (executor.name() != "cuda") GTEST_SKIP() << executor.take_notice();
+    expect_same_as_threads(scene, executor);
   }
 }
 

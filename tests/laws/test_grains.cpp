@@ -1,192 +1,72 @@
-// What holds for single grains: their flight, their bounce, and the ripples that they make.
+// What holds for the grains of Wang & Hu as a whole: the ripples that they make, over any ground.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "analysis/migration.h"
 #include "analysis/morphometry.h"
 #include "analysis/spectrum.h"
-#include "core/units.h"
-#include "models/grain_law.h"
-#include "models/grains.h"
-#include "wind/bearing.h"
-#include "wind/wind_frame.h"
-#include "world.h"
+#include "grain_world.h"
+#include "sim/scene.h"
+#include "wind/shadow.h"
 
 namespace erg::test {
 namespace {
 
-ParameterValues grain_values(const std::vector<std::pair<std::string, ParameterValue>>& settings = {}) {
-  ParameterValues values(find_model("grains").parameters);
-  for (const auto& [key, value] : settings) values.set(key, value);
-  return values;
-}
-
-Terrain bed(Extent extent, const Model& model, std::int32_t parcels, Boundary boundary = Boundary::torus) {
-  Terrain terrain(extent, 0.01, model.quantum(), boundary);
-  terrain.edit_mobile().fill(parcels);
-  terrain.open_ledger();
-  return terrain;
-}
-
-/// A model, its bed and an executor.
-struct GrainRun {
-  explicit GrainRun(const std::vector<std::pair<std::string, ParameterValue>>& settings, Extent extent = {64, 64},
-                    std::int32_t parcels = 200, Boundary boundary = Boundary::torus)
-      : model(grain_values(settings)),
-        terrain(bed(extent, model, parcels, boundary)),
-        executor(make_executor({.name = "cpu", .threads = 2})) {
-    model.begin(terrain);
-  }
-
-  StepReport steps(int count, WindNow wind) {
-    StepReport total;
-    for (int k = 0; k < count; ++k) {
-      total += model.step(terrain, wind, {5, step++}, *executor);
-      if (step % 5 == 0) migration.observe(static_cast<std::int64_t>(step), surface());
-    }
-    return total;
-  }
-  CoarseSurface surface() const { return coarse_surface(terrain, Layer::surface); }
-  double reading(const std::string& key) const {
-    for (const Reading& one : model.readings()) {
-      if (one.key == key) return one.value;
-    }
-    ADD_FAILURE() << "no reading " << key;
-    return 0;
-  }
-
-  GrainModel model;
-  Terrain terrain;
-  std::unique_ptr<Executor> executor;
-  std::uint64_t step = 0;
-  MigrationTracker migration;
-};
-
-GrainLaw calm_law() {
-  GrainLaw law = grain_law(grain_values(), {270, 0.1}, wind_frame({8, 8}, 270), 0.01);
-  for (float& speed : law.wind_speed) speed = 0;
-  return law;
-}
-
-TEST(Grains, EnergyNeverRisesInABounce) {
-  const GrainLaw law = calm_law();
-  GrainDice dice{17};
-  for (int k = 0; k < 20000; ++k) {
-    const auto signed_unit = [&] { return 2 * dice.unit() - 1; };
-    Grain grain;
-    grain.speed_u = 8 * signed_unit();
-    grain.speed_v = 8 * signed_unit();
-    grain.speed_z = 4 * signed_unit();
-    const GroundSpot spot{0, 0, 1, 3 * signed_unit(), 3 * signed_unit()};
-    const auto energy = [&] {
-      return grain.speed_u * grain.speed_u + grain.speed_v * grain.speed_v + grain.speed_z * grain.speed_z;
-    };
-    const float before = energy();
-    bounce(law, spot, grain);
-    EXPECT_LE(energy(), before * 1.00001f);
-    EXPECT_GE(grain.speed_z - grain.speed_u * spot.slope_u - grain.speed_v * spot.slope_v, -1e-4f) << "into the ground";
-  }
-}
-
-TEST(Grains, ABounceOnLevelGroundDampsBothParts) {
-  const GrainLaw law = calm_law();
-  Grain grain;
-  grain.speed_v = 3;
-  grain.speed_z = -1;
-  bounce(law, {0, 0, 1, 0, 0}, grain);
-  EXPECT_FLOAT_EQ(grain.speed_v, 1.8f);
-  EXPECT_FLOAT_EQ(grain.speed_z, 0.4f);
-}
-
-/// Notes the first touch of the ground.
-struct FirstImpact {
-  float speed = 0;
-  int count = 0;
-  void at(const Grain&) {}
-  void impact(int, int, int, float impact_speed) {
-    if (count++ == 0) speed = impact_speed;
-  }
-};
-
-TEST(Grains, WithoutAirAGrainFliesAParabola) {
-  GrainLaw law = calm_law();
-  law.time_step = 1e-4f;
-  law.longest_steps = 100000;
-  law.bounce_limit = 1;
-  const std::vector<GroundPoint> level((64 + 2) * (64 + 2));
-  const FrozenGround ground{level.data(), 64, 64, true};
-  Grain grain;
-  grain.u = grain.v = 20;
-  grain.speed_v = 1.5f;
-  grain.speed_z = 1;
-  GrainDice dice{1};
-  FlightSums sums;
-  FirstImpact watch;
-  EXPECT_EQ(fly(law, ground, grain, dice, sums, watch), FlightEnd::rested);
-  // Way 2 v w / g, speed of impact as at the start; the first-order time step errs by g dt / w.
-  EXPECT_NEAR(grain.along, 2 * 1.5 * 1 / 9.81, 0.001);
-  EXPECT_NEAR(watch.speed, std::hypot(1.5, 1.0), 0.003);
-  EXPECT_NEAR(grain.v, 20 + 30.58, 0.1);
-}
-
-TEST(Grains, TheProfileIsLogarithmicAndItsTableExact) {
-  const ParameterValues values = grain_values();
-  const double threshold = lifting_threshold(values, 0.25e-3);
-  EXPECT_NEAR(threshold, 0.7 * std::sqrt(0.0123 * (2655 / 1.1644 * 9.81 * 0.25e-3 + 3e-4 / (1.1644 * 0.25e-3))), 1e-12);
-  EXPECT_NEAR(profile_speed(values, 0.15, 1.0), 0.15 / 0.4 * std::log(1 / (0.25e-3 / 30)), 1e-9);
-  // All winds over the threshold meet at the focus.
-  EXPECT_DOUBLE_EQ(profile_speed(values, 0.3, 0.02), profile_speed(values, 0.6, 0.02));
-  EXPECT_GT(profile_speed(values, 0.6, 0.1), profile_speed(values, 0.3, 0.1));
-  for (const double speed : {6.0, 10.0, 15.0}) {
-    EXPECT_NEAR(profile_speed(values, friction_velocity(values, speed), 10), speed, 1e-9);
-  }
-  const GrainLaw law = grain_law(values, {270, 12}, wind_frame({8, 8}, 270), 0.01);
-  for (const double height : {1e-4, 0.003, 0.0199, 0.05, 0.7, 11.0}) {
-    const double exact = profile_speed(values, friction_velocity(values, 12), height);
-    EXPECT_NEAR(wind_at(law, static_cast<float>(height)), exact, 0.01 * exact) << height;
-  }
-}
+const GrainSettings by_friction = {{"strength_is", std::string("friction_velocity")}};
 
 TEST(Grains, RipplesLieAcrossTheWindAndMoveDownwind) {
   for (const double bearing : {270.0, 235.0, 180.0}) {
-    GrainRun run({{"strength_is", std::string("friction_velocity")}});
-    run.steps(45, {bearing, 0.4});
+    GrainRun run(by_friction, {48, 48});
+    run.steps(40, {bearing, 0.4});
     const SpectrumNumbers numbers = measure_spectrum(run.surface());
     EXPECT_LE(std::abs(std::remainder(numbers.crest_bearing - bearing - 90, 180.0)), 10) << bearing;
-    EXPECT_GT(numbers.alignment, 0.25) << bearing;
+    EXPECT_GT(numbers.alignment, 0.4) << bearing;
     EXPECT_GT(measure(run.terrain).sd_surface, 0.002) << bearing;
-    const Shift velocity = run.migration.velocity().value();
-    const Direction toward = downwind(bearing);
-    EXPECT_GT(velocity.x * toward.x + velocity.y * toward.y, 0.05) << bearing;
+    EXPECT_GT(run.downwind_speed(bearing), 0.05) << bearing;
+    // Length over height, of a sine of the same standard deviation; 10 to 20 in nature.
+    const double height = 2 * std::sqrt(2.0) * measure(run.terrain).sd_surface;
+    EXPECT_GT(numbers.wavelength * run.terrain.cell_size() / height, 8) << bearing;
     EXPECT_EQ(run.reading("cut_off"), 0);
   }
+}
+
+TEST(Grains, RipplesGrowAndHurryWithTheWind) {
+  GrainRun breeze(by_friction, {48, 48});
+  GrainRun storm(by_friction, {48, 48});
+  breeze.steps(40, {270, 0.2});
+  storm.steps(40, {270, 0.5});
+  EXPECT_GT(measure_spectrum(storm.surface()).wavelength, 1.3 * measure_spectrum(breeze.surface()).wavelength);
+  EXPECT_GT(storm.downwind_speed(270), 3 * breeze.downwind_speed(270));
 }
 
 TEST(Grains, WithoutSplashNothingMigrates) {
   GrainRun run({{"splash", 0.0}});
   run.steps(45, {270, 12});
-  EXPECT_LT(measure(run.terrain).sd_surface, 0.0015);  // ripples would have four times that by now
-  EXPECT_LT(run.migration.velocity().value_or(Shift{}).x, 0.05);
+  EXPECT_LT(measure(run.terrain).sd_surface, 0.0015);  // ripples would have twice that by now
+  EXPECT_LT(run.downwind_speed(270), 0.05);
 }
 
-TEST(Grains, LeapAndImpactAngleGrowAndStayInTheirRanges) {
+TEST(Grains, FlightAndImpactAngleAreThoseOfSaltation) {
+  // Over a bed still nearly level; the ways are those of an independent prototype, the angles from its 9.2 at the
+  // threshold to its 7.8 above, both give or take a fifth (and 2 cm).
+  const double friction[] = {0.2, 0.3, 0.4, 0.5, 0.6};
+  const double way[] = {0.06, 0.20, 0.37, 0.57, 0.82};
   double last = 0;
-  for (const double friction : {0.2, 0.4, 0.6}) {
-    GrainRun run({{"strength_is", std::string("friction_velocity")}});
-    run.steps(3, {270, friction});
-    EXPECT_GT(run.reading("flight"), 1.5 * last) << friction;
-    EXPECT_GT(run.reading("impact_angle"), 8) << friction;
-    EXPECT_LT(run.reading("impact_angle"), 17) << friction;
+  for (int k = 0; k < 5; ++k) {
+    GrainRun run(by_friction, {48, 48});
+    run.steps(5, {270, friction[k]});
+    EXPECT_NEAR(run.reading("flight"), way[k], 0.02 + 0.2 * way[k]) << friction[k];
+    EXPECT_GT(run.reading("flight"), last) << friction[k];
+    EXPECT_GT(run.reading("impact_angle"), 7.5) << friction[k];
+    EXPECT_LT(run.reading("impact_angle"), 9.5) << friction[k];
     EXPECT_EQ(run.reading("cut_off"), 0);
     last = run.reading("flight");
   }
-  EXPECT_GT(last, 0.4);
-  EXPECT_LT(last, 1.5);
 }
 
 TEST(Grains, RestBelowTheThreshold) {
-  GrainRun run({{"strength_is", std::string("friction_velocity")}});
+  GrainRun run(by_friction);
   const std::uint64_t before = state_hash(run.terrain);
   EXPECT_EQ(run.steps(2, {270, 0.19}).lifts, 0);
   EXPECT_EQ(state_hash(run.terrain), before);
@@ -223,6 +103,87 @@ TEST(Grains, ASteepHumpSlidesToRepose) {
   EXPECT_GT(measure(run.terrain).max_slabs, 200);
 }
 
+/// A bed over the hard ground of a scene.
+Terrain scene_bed(const std::string& kind) {
+  Config config("grains");
+  for (const auto& [key, cells] : {std::pair{"nx", 48}, {"ny", 40}}) config.grid.set(key, std::int64_t{cells});
+  config.grid.set("cell_size", 0.01);
+  config.scene.set("kind", kind);
+  config.scene.set("sand", 40.0);
+  config.scene.set("height", 0.06);
+  config.scene.set("wavelength", 24.0);
+  config.scene.set("radius", 16.0);
+  config.scene.set("image_high", 0.05);
+  HeightPicture picture(Extent{12, 10});
+  for (int y = 0; y < 10; ++y) {
+    for (int x = 0; x < 12; ++x) picture(x, y) = (x < 6) == (y < 5) ? 1.0f : 0.2f;
+  }
+  return build_scene(config, GrainModel(grain_values()).quantum(), &picture);
+}
+
+TEST(Grains, BlowOverEveryKindOfGround) {
+  const std::vector<std::string> kinds = scene_parameters().front().choices;
+  for (const std::string& kind : kinds) {
+    const Terrain before = scene_bed(kind);
+    GrainRun run({}, before);
+    const StepReport report = run.steps(3, {250, 10});
+    EXPECT_GT(report.lifts, report.polls / 10) << kind;
+    EXPECT_TRUE(run.terrain.bedrock() == before.bedrock()) << kind << ": hard ground never moves";
+    EXPECT_FALSE(run.terrain.mobile() == before.mobile()) << kind;
+    EXPECT_GE(*std::ranges::min_element(run.terrain.mobile().cells()), 0) << kind;
+    EXPECT_EQ(run.terrain.total_mobile(), run.terrain.ledger().expected()) << kind;
+    EXPECT_EQ(run.reading("cut_off"), 0) << kind;
+  }
+}
+
+TEST(Grains, SandGathersInTheLeeOfHardGround) {
+  for (const char* const kind : {"hump", "dune", "rocks"}) {
+    const Terrain before = scene_bed(kind);
+    GrainRun run({}, before);
+    run.steps(12, {270, 9});
+    // Behind the hard ground: what lay in the shadow of the level bed.
+    std::int64_t gathered = 0;
+    std::int64_t cells = 0;
+    const Grid<std::uint8_t> dark = shadow_map(before, 270, run.model.shadow_fall(before.cell_size()));
+    for (std::size_t cell = 0; cell < dark.size(); ++cell) {
+      if (dark[cell] == 0) continue;
+      ++cells;
+      gathered += run.terrain.mobile()[cell] - before.mobile()[cell];
+    }
+    ASSERT_GT(cells, 20) << kind;
+    EXPECT_GT(3 * gathered, cells) << kind << ": parcels";
+  }
+}
+
+TEST(Grains, EveryParameterMatters) {
+  // A scene in which all of them have something to do.
+  const GrainSettings busy = {{"plants", std::int64_t{2}},       {"bonding_time", 2.0}, {"abrasion", 0.5},
+                              {"bounce_limit", std::int64_t{3}}, {"settling", 0.1},     {"plant_height", 0.02},
+                              {"diameter_spread", 0.3}};
+  const auto end_of = [](const GrainSettings& settings) {
+    Terrain bed = GrainRun::level_bed(settings, {24, 24}, 6);
+    Grid<std::int32_t>& mobile = bed.edit_mobile();
+    for (int x = 8; x < 12; ++x) {
+      for (int y = 8; y < 16; ++y) mobile(x, y) = 300;  // casts a shadow and slides
+    }
+    bed.open_ledger();
+    GrainRun run(settings, std::move(bed));
+    run.steps(4, {260, 8});
+    return state_hash(run.terrain);
+  };
+  const std::uint64_t plain = end_of(busy);
+  for (const Parameter& parameter : find_model("grains").parameters) {
+    ParameterValue other = std::string("friction_velocity");
+    const ParameterValues values = grain_values(busy);
+    if (parameter.kind == ParameterKind::integer) other = values.integer(parameter.key) + 1;
+    if (parameter.kind == ParameterKind::real) other = 0.8 * values.real(parameter.key);
+    if (parameter.key == "longest_flight") other = parameter.minimum;
+    GrainSettings changed = busy;
+    changed.emplace_back(parameter.key, other);
+    EXPECT_NE(end_of(changed), plain) << parameter.key;
+  }
+}
+
 TEST(Grains, PlantsGatherSandInTheirWake) {
   GrainRun run({{"plants", std::int64_t{1}}, {"plant_diameter", 0.06}, {"plant_height", 0.03}});
   run.steps(40, {270, 9});
@@ -235,7 +196,7 @@ TEST(Grains, PlantsGatherSandInTheirWake) {
 }
 
 TEST(Grains, PlantsShelterWhereTheyStandNowFromTheWindThatBlowsNow) {
-  const std::vector<std::pair<std::string, ParameterValue>> settings = {{"plants", std::int64_t{1}}};
+  const GrainSettings settings = {{"plants", std::int64_t{1}}};
   GrainRun run(settings, {48, 40});
   GrainRun anew(settings, {48, 40});
   for (const double bearing : {270.0, 270.0, 200.0, 235.0}) {

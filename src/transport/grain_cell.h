@@ -6,7 +6,6 @@
 // to i + 1), heights and speeds metric.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -30,6 +29,7 @@ struct FrozenGround {
   int width = 0;
   int length = 0;
   bool torus = true;
+  double base = 0;  ///< m: what the points' heights count from
 
   ERG_CELL_RULE const GroundPoint& of_cell(int u, int v) const {
     return points[static_cast<std::int64_t>(v + 1) * (width + 2) + u + 1];
@@ -49,6 +49,7 @@ struct GrainLaw {
   float toward_v = 1;
   float friction_velocity = 0;  ///< m/s
   float cells_a_metre = 100;
+  float gravity = 9.81f;     ///< m/s2
   float time_step = 0.002f;  ///< s
   int longest_steps = 0;     ///< of one flight
 
@@ -60,10 +61,10 @@ struct GrainLaw {
   int bounce_limit = 6;
   float splash = 4;                ///< most grains that one impact knocks loose
   float splash_speed_squared = 1;  ///< (m/s)^2, of an impact that knocks half as many loose
-  float reptation_cells = 1.2f;    ///< mean reptation for an impact of 1 m/s, cells
-  float reptation_slope = 1.5f;    ///< how much a rise of 1 shortens it
+  float reptation_cells = 0.8f;    ///< mean reptation for an impact of 1 m/s, cells
+  float reptation_slope = 2;       ///< how much a rise of 1 shortens it; cotangent of the angle it starts at
   float sideways = 0.3f;           ///< share of reptating grains that go across the wind
-  float rolling = 2;               ///< chance to roll to a lower neighbour, for a slope of 1
+  float rolling = 4;               ///< chance to roll to a lower neighbour, for a slope of 1
 
   float wind_speed[profile_nodes] = {};  ///< m/s at the heights of the nodes above the ground
   float cotangent[draw_nodes] = {};      ///< of the lift-off angle
@@ -94,6 +95,7 @@ struct Grain {
   float speed_z = 0;
   float drag = 0;     ///< 1/m
   float viscous = 0;  ///< 1/s
+  float mixed = 0;    ///< 1/sqrt(m s): the part of the drag that grows with the root of the relative speed
   float along = 0;    ///< m flown downwind so far
 };
 
@@ -161,7 +163,7 @@ ERG_CELL_RULE float wind_at(const GrainLaw& law, float height) {
   constexpr std::uint32_t mantissa_bits = 20;  // 23, less three for eight parts an octave
   constexpr std::int32_t first = (127 + profile_lowest) * profile_parts;
   if (!(height > 0)) return 0;
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(height);
+  const std::uint32_t bits = __builtin_bit_cast(std::uint32_t, height);  // std::bit_cast is the host's alone
   const std::int32_t node = static_cast<std::int32_t>(bits >> mantissa_bits) - first;
   if (node < 0) return 0;
   if (node >= profile_nodes - 1) return law.wind_speed[profile_nodes - 1];
@@ -180,6 +182,7 @@ ERG_CELL_RULE float arc_tangent(float ratio) {
 ERG_CELL_RULE void give_size(const GrainLaw& law, int size, Grain& grain) {
   grain.drag = law.drag[size];
   grain.viscous = law.viscous[size];
+  grain.mixed = 2 * std::sqrt(grain.drag * grain.viscous);
 }
 
 /// Sets a grain off from a random place in the cell, in the local wind.
@@ -227,16 +230,15 @@ ERG_CELL_RULE void bounce(const GrainLaw& law, const GroundSpot& spot, Grain& gr
 /// One time step of free flight in the wind over `spot`, the ground under the grain. The drag is implicit, so that no
 /// step is too long for it.
 ERG_CELL_RULE void advance(const GrainLaw& law, const GroundSpot& spot, Grain& grain) {
-  constexpr float gravity = 9.81f;
   const float wind = grain.z > spot.shadow ? wind_at(law, grain.z - spot.height) * spot.wind : 0.0f;
   const float against_u = wind * law.toward_u - grain.speed_u;
   const float against_v = wind * law.toward_v - grain.speed_v;
   const float relative = std::sqrt(against_u * against_u + against_v * against_v + grain.speed_z * grain.speed_z);
-  const float pull = (grain.drag * relative + grain.viscous) * law.time_step;
+  const float pull = (grain.drag * relative + grain.mixed * std::sqrt(relative) + grain.viscous) * law.time_step;
   const float kept = 1 / (1 + pull);
   grain.speed_u += against_u * pull * kept;
   grain.speed_v += against_v * pull * kept;
-  grain.speed_z = (grain.speed_z - gravity * law.time_step) * kept;
+  grain.speed_z = (grain.speed_z - law.gravity * law.time_step) * kept;
 }
 
 /// Moves the grain on by `seconds` at its speed. False when it left over an open edge.
@@ -328,8 +330,41 @@ ERG_CELL_RULE BedCell resting_place(const GrainLaw& law, const FrozenGround& gro
   return place;
 }
 
-/// Where a grain goes that an impact of this speed (m/s) knocked loose from the cell: a short way along the ground,
-/// shorter uphill. Sets grain.u, grain.v and grain.along; false when it left over an open edge.
+/// How far (cells) a grain gets from (u, v) along a direction of length 1, in a parabola that would end after `level`
+/// cells on level ground: shorter uphill, longer downhill and over a crest.
+ERG_CELL_RULE float way_over_ground(const GrainLaw& law, const FrozenGround& ground, float u, float v, float step_u,
+                                    float step_v, float level) {
+  constexpr int longest = 1000;  // cells; only so that no loop is without end
+  const GroundSpot start = ground_at(ground, law.cells_a_metre, u, v);
+  const float eased = 1 - law.reptation_slope * (start.slope_u * step_u + start.slope_v * step_v);
+  const float share = eased > 0.1f ? eased : 0.1f;
+  // On a straight slope the parabola ends here; so it does where that is near, or where hops are not to feel the
+  // ground.
+  if (level * share < 1 || law.reptation_slope <= 0) return level * share;
+  const auto width = static_cast<float>(ground.width);
+  const auto length = static_cast<float>(ground.length);
+  const float rise = 1 / (law.reptation_slope * law.cells_a_metre);  // of the parabola at its start, m a cell
+  float above = rise * share;  // m; stands for the curve up to the first cell, where the parabola begins on the ground
+  for (int cells = 1; cells <= longest; ++cells) {
+    const auto flown = static_cast<float>(cells);
+    float ahead_u = u + flown * step_u;
+    float ahead_v = v + flown * step_v;
+    if (ground.torus) {
+      ahead_u = fold(ahead_u, width);
+      ahead_v = fold(ahead_v, length);
+    } else if (ahead_u < 0 || ahead_u >= width || ahead_v < 0 || ahead_v >= length) {
+      return flown;
+    }
+    const float now = start.height + rise * flown * (1 - flown / level) -
+                      ground_at(ground, law.cells_a_metre, ahead_u, ahead_v).height;
+    if (now < 0) return flown - 1 + above / (above - now);
+    above = now;
+  }
+  return static_cast<float>(longest);
+}
+
+/// Where a grain goes that an impact of this speed (m/s) knocked loose from the cell: a short, low hop along the wind
+/// or across it. Sets grain.u, grain.v and grain.along; false when it left over an open edge.
 ERG_CELL_RULE bool reptate(const GrainLaw& law, const FrozenGround& ground, int u, int v, float speed, GrainDice& dice,
                            Grain& grain) {
   const float aside = dice.unit();
@@ -337,13 +372,12 @@ ERG_CELL_RULE bool reptate(const GrainLaw& law, const FrozenGround& ground, int 
   const float hand = aside < 0.5f * law.sideways ? 1.0f : -1.0f;
   const float step_u = straight ? law.toward_u : hand * law.toward_v;
   const float step_v = straight ? law.toward_v : -hand * law.toward_u;
-  const float rise_u = ground.of_cell(u + 1, v).height - ground.of_cell(u - 1, v).height;
-  const float rise_v = ground.of_cell(u, v + 1).height - ground.of_cell(u, v - 1).height;
-  const float slope = 0.5f * (rise_u * step_u + rise_v * step_v) * law.cells_a_metre;
-  const float eased = 1 - law.reptation_slope * slope;
-  const float way = law.reptation_cells * speed * (eased > 0.1f ? eased : 0.1f) * law.exponential[dice.node()];
-  grain.u = static_cast<float>(u) + dice.unit() + way * step_u;
-  grain.v = static_cast<float>(v) + dice.unit() + way * step_v;
+  const float start_u = static_cast<float>(u) + dice.unit();
+  const float start_v = static_cast<float>(v) + dice.unit();
+  const float level = law.reptation_cells * speed * law.exponential[dice.node()];
+  const float way = way_over_ground(law, ground, start_u, start_v, step_u, step_v, level);
+  grain.u = start_u + way * step_u;
+  grain.v = start_v + way * step_v;
   grain.along = straight ? way / law.cells_a_metre : 0.0f;
   const auto width = static_cast<float>(ground.width);
   const auto length = static_cast<float>(ground.length);

@@ -1,0 +1,77 @@
+// A terrain on a device, and the time steps of grains there: the phases of transport/grain_phases.h as kernels.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cuda/device.h"
+#include "cuda/grain_plan.h"
+#include "transport/grain_phases.h"
+#include "wind/wind_frame.h"
+
+namespace erg {
+
+class DeviceGrains : private GrainPhases {
+ public:
+  explicit DeviceGrains(Device& device) : device_(device) {}
+
+  /// Brings the terrain to the device. This and all that follows throws DeviceError.
+  void load(const Terrain& terrain, const WindFrame& frame);
+  /// One time step of what is loaded; `terrain` tells only what never changes between loads.
+  GrainTally step(const Terrain& terrain, const GrainStepLaw& law, const WindFrame& frame, StepKey key,
+                  const GroundLook& look);
+  /// Brings back the mobile layer and, where grains may have bonded or come free since the terrain was loaded, the
+  /// field of bonded ones. The terrain must be the one that was loaded.
+  void settle(Terrain& terrain);
+
+ private:
+  using Counts = DeviceArray<std::int32_t>;
+
+  std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
+  void allocate(std::size_t cells, const WindFrame& frame);
+  template <typename Value>
+  void lay(const Counts& layer, const Value& value);
+  std::vector<std::int32_t> bring_back(const Counts& layer);
+  void turn(const WindFrame& frame);
+  void send_law(const GrainStepLaw& law);
+  /// The plan of a launch that lays a layer or stages it.
+  GrainPlan moving(const Counts& layer) const;
+
+  void freeze() override;
+  void fly(const GrainMoment& now) override;
+  void let_in(const GrainMoment& now, double inflow) override;
+  void show_ground(const GroundLook& look) override;
+  void hand_out(const GrainMoment& now) override;
+  void settle_accounts() override;
+  void slide(const BedEdges& edges, int standing) override;
+  bool has_slid() override;
+  void creep(const BedEdges& edges, const GrainMoment& now) override;
+  void bond(const GrainMoment& now) override;
+
+  Device& device_;
+  WindFrame frame_;
+  std::int32_t lowest_ = 0;  // bedrock
+  bool may_bond_ = false;    // some grains are bonded, or were since the load
+  GrainPlan plan_;           // of the step under way
+  std::optional<GrainLaw> law_on_device_;
+  std::shared_ptr<const std::vector<float>> shelter_on_device_;
+
+  Counts bedrock_;
+  Counts mobile_;
+  Counts bonded_;
+  Counts gone_;
+  Counts come_;
+  Counts stirred_;
+  Counts asked_;
+  Counts asked_speed_;
+  Counts staged_;
+  DeviceArray<float> shelter_;
+  DeviceArray<GroundPoint> points_;
+  DeviceArray<GrainLaw> law_;
+  DeviceArray<std::uint32_t> bounds_;  // highest, ~lowest, slid
+  DeviceArray<TallyWord> tally_;
+};
+
+}  // namespace erg

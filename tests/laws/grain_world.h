@@ -1,0 +1,82 @@
+// Small beds for the laws of grains.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/migration.h"
+#include "models/grain_law.h"
+#include "models/grains.h"
+#include "transport/executor.h"
+#include "wind/bearing.h"
+#include "wind/wind_frame.h"
+#include "world.h"
+
+namespace erg::test {
+
+using GrainSettings = std::vector<std::pair<std::string, ParameterValue>>;
+
+inline ParameterValues grain_values(const GrainSettings& settings = {}) {
+  ParameterValues values(find_model("grains").parameters);
+  for (const auto& [key, value] : settings) values.set(key, value);
+  return values;
+}
+
+/// Grains in still air.
+inline GrainLaw calm_law(const GrainSettings& settings = {}) {
+  GrainLaw law = grain_law(grain_values(settings), {270, 0.1}, wind_frame({8, 8}, 270), 0.01);
+  for (float& speed : law.wind_speed) speed = 0;
+  return law;
+}
+
+/// A model, its bed (level, unless another is given) and an executor.
+struct GrainRun {
+  explicit GrainRun(const GrainSettings& settings, Extent extent = {64, 64}, std::int32_t parcels = 200)
+      : GrainRun(settings, level_bed(settings, extent, parcels)) {}
+  GrainRun(const GrainSettings& settings, Terrain bed)
+      : model(grain_values(settings)), terrain(std::move(bed)), executor(make_executor({.name = "cpu", .threads = 2})) {
+    model.begin(terrain);
+  }
+
+  static Terrain level_bed(const GrainSettings& settings, Extent extent, std::int32_t parcels) {
+    Terrain terrain(extent, 0.01, GrainModel(grain_values(settings)).quantum(), Boundary::torus);
+    terrain.edit_mobile().fill(parcels);
+    terrain.open_ledger();
+    return terrain;
+  }
+
+  StepReport steps(int count, WindNow wind) {
+    StepReport total;
+    for (int k = 0; k < count; ++k) {
+      total += model.step(terrain, wind, {5, step++}, *executor);
+      if (step % 5 == 0) migration.observe(static_cast<std::int64_t>(step), surface());
+    }
+    return total;
+  }
+  CoarseSurface surface() const { return coarse_surface(terrain, Layer::surface); }
+  /// Cells a step along the wind.
+  double downwind_speed(double bearing) const {
+    const Shift velocity = migration.velocity().value_or(Shift{});
+    const Direction toward = downwind(bearing);
+    return velocity.x * toward.x + velocity.y * toward.y;
+  }
+  double reading(const std::string& key) const {
+    for (const Reading& one : model.readings()) {
+      if (one.key == key) return one.value;
+    }
+    ADD_FAILURE() << "no reading " << key;
+    return 0;
+  }
+
+  GrainModel model;
+  Terrain terrain;
+  std::unique_ptr<Executor> executor;
+  std::uint64_t step = 0;
+  MigrationTracker migration;
+};
+
+}  // namespace erg::test
