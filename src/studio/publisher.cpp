@@ -17,6 +17,8 @@ constexpr int work_for_numbers = 10;                             // taking numbe
 constexpr int most_doublings = 6;                                // of the pause between two rows of numbers, each time
 constexpr auto rate_window = 500ms;
 
+std::uint64_t revision_of(const Terrain& terrain) { return terrain.revision() + terrain.fields_revision(); }
+
 FieldInfo shadow_info() {
   return {.key = "shadow",
           .label = "Wind shadow",
@@ -67,7 +69,8 @@ struct Publisher::Lane {
   explicit Lane(Simulation& simulation) : meter(simulation.totals(), simulation.step_count()) {}
 
   RunSnapshot shown;
-  bool stale = true;  ///< the terrain is not what was shown
+  bool stale = true;           ///< the terrain is not what was shown
+  std::uint64_t revision = 0;  ///< of the terrain as it was shown
   bool config_stale = true;
   RunMeter meter;
   Series series;
@@ -96,6 +99,15 @@ void Publisher::touched(Lockstep& runs) {
       lane.series_stale = true;
       lane.meter = RunMeter(simulation.totals(), simulation.step_count());
     }
+  }
+}
+
+void Publisher::configured(Lockstep& runs) {
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    Lane& lane = *lanes_[i];
+    lane.config_stale = true;
+    // A model that begins anew may have touched the terrain.
+    lane.stale = lane.stale || revision_of(runs.run(i).terrain()) != lane.revision;
   }
 }
 
@@ -129,6 +141,7 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
     const Terrain& terrain = simulation.terrain();
     view.terrain = pool_->copy_of(terrain);
     view.terrain_version = next_version_++;
+    lane.revision = revision_of(terrain);
     view.mass_now = terrain.total_mobile();
     view.shadow = nullptr;
   }
@@ -151,6 +164,7 @@ void Publisher::fill(Snapshot& snapshot, Lockstep& runs, bool running) {
   const Clock::time_point begin = Clock::now();
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     look_at(*lanes_[i], runs.run(i));
+    lanes_[i]->shown.last_stroke = runs.last_stroke(i);
     snapshot.runs.push_back(lanes_[i]->shown);
   }
   if (running) {

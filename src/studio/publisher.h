@@ -32,6 +32,8 @@ class Publisher {
   void stepped(Lockstep& runs, std::int64_t polls);
   /// The runs were changed, painted on or taken back: they are not what was shown.
   void touched(Lockstep& runs);
+  /// The runs have other configs; the terrain stays what it is.
+  void configured(Lockstep& runs);
   /// Fills in `runs` and the rates; terrains that did not change since are shared with the last snapshot.
   void fill(Snapshot& snapshot, Lockstep& runs, bool running);
   /// Rates start anew: the runs begin to move now.

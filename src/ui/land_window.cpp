@@ -223,7 +223,6 @@ void LandWindow::draw_troubles(const Desk& desk) const {
     draw_plate({corner.x, low}, text, colour);
     low -= gui.px(28);
   };
-  for (const std::string& note : notes_) line(note, gui.theme().faint);
   if (now.activity == Activity::failed) {
     line("The land stands as it was before that step. Save it (Export, checkpoint) or Reset.", gui.theme().text);
     line("A step failed: " + now.message, gui.theme().lost);

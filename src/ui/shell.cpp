@@ -40,6 +40,8 @@ Shell::Shell(Studio& studio, Stage& stage, Gui& gui)
             .marks = {},
             .open = [this](const std::string& title) { open(title); },
             .close = [this](const std::string& title) { close(title); },
+            .leave = [this](const std::string& what, Leaves leaves,
+                            std::function<void()> act) { leave(what, leaves, std::move(act)); },
             .picture = [&stage](const std::filesystem::path& path) { return stage.picture(path); },
             .keys = {}} {
   panels_ = make_panels();
@@ -49,6 +51,7 @@ Shell::Shell(Studio& studio, Stage& stage, Gui& gui)
       std::find_if(panels_.begin(), panels_.end(), [](const auto& p) { return p->dock() == Dock::right; });
   std::rotate(first, panels_.end() - 1, panels_.end());
   panels_.push_back(make_picture_panel([&stage](const PictureOrder& order) { stage.save_picture(order); }));
+  panels_.push_back(make_unsaved_panel(parting_));
   make_actions();
   desk_.keys = key_help(actions_);
   apply_settings();
@@ -88,6 +91,16 @@ void Shell::open(const std::string& title) {
 }
 
 void Shell::close(const std::string& title) { std::erase(open_dialogs_, title); }
+
+void Shell::leave(const std::string& what, Leaves leaves, std::function<void()> act) {
+  if (!studio_.unsaved_work(leaves)) return act();
+  parting_ = Parting{what, leaves, std::move(act)};
+  open(unsaved_title);
+}
+
+void Shell::quit() {
+  leave("QUIT", Leaves::everything, [this] { stage_.close(); });
+}
 
 bool Shell::is_open(const std::string& title) const {
   return std::find(open_dialogs_.begin(), open_dialogs_.end(), title) != open_dialogs_.end();
@@ -200,7 +213,7 @@ void Shell::draw_foot(float top, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin("##foot", nullptr, fixed | ImGuiWindowFlags_NoScrollbar);
   run_bar_.draw(studio_);
-  if (draw_status(studio_, stage_.frames_per_second())) open(panel_title::log);
+  if (draw_status(studio_, stage_.frames_per_second(), land_.notes())) open(panel_title::log);
   ImGui::End();
   ImGui::PopStyleVar();
 }

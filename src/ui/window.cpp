@@ -60,14 +60,17 @@ int take_x_error(::Display* display, XErrorEvent* event) {
 
 void ignore_warning(const char*, va_list, void*) {}
 
-void look_for_display() {
+/// Held until the window has its own: a display that is its last client's to keep goes with that client.
+using Connection = std::unique_ptr<Display, decltype(&XCloseDisplay)>;
+
+Connection look_for_display() {
   const char* const name = std::getenv("DISPLAY");
   if (name == nullptr || *name == '\0') throw InputError("DISPLAY", "is not set: there is no screen", remedy_display);
-  Display* const display = XOpenDisplay(nullptr);
+  Connection display(XOpenDisplay(nullptr), XCloseDisplay);
   if (display == nullptr) {
     throw InputError("DISPLAY", "nothing answers at " + in_quotes(name), remedy_display);
   }
-  XCloseDisplay(display);
+  return display;
 }
 
 int place_of_special(int key) {
@@ -229,15 +232,14 @@ void Window::Hidden::install() {
   glutWMCloseFuncUcall(
       [](void* data) {
         auto* const hidden = static_cast<Hidden*>(data);
-        hidden->guarded([&] {
-          if (hidden->events.may_close()) hidden->leave();
-        });
+        hidden->guarded([&] { hidden->events.close_wanted(); });
+        hidden->wake();
       },
       this);
 }
 
 Window::Window(const WindowOptions& options) {
-  look_for_display();
+  const Connection connection = look_for_display();
   int count = 1;
   char name[] = "erg";
   char* arguments[] = {name, nullptr};

@@ -172,6 +172,23 @@ TEST(Failure, OfAStepStopsTheRunsAndKeepsTheTerrain) {
   EXPECT_EQ(runner.snapshot()->runs[1].step, 20);
 }
 
+TEST_F(EditsTest, AnotherConfigShowsTheSameTerrainWithoutACopy) {
+  runner.create({small_config()});
+  runner.run(3);
+  const auto before = still();
+  Config config = small_config();
+  config.parameters.set("p_sand", 0.5);
+  runner.change({config});
+  const auto after = still();
+  EXPECT_EQ(after->runs[0].config->parameters.real("p_sand"), 0.5);
+  EXPECT_EQ(after->runs[0].terrain, before->runs[0].terrain);
+  EXPECT_EQ(after->runs[0].terrain_version, before->runs[0].terrain_version);
+  // Taken back and changed at once, it is another terrain.
+  runner.reset();
+  runner.change({small_config()});
+  EXPECT_NE(still()->runs[0].terrain_version, before->runs[0].terrain_version);
+}
+
 TEST_F(EditsTest, PaintingBeyondTheHighestGroundIsRefused) {
   runner.create({small_config()});
   const std::uint64_t before = hash();

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -66,7 +67,16 @@ class DesktopHand {
     bool operator==(const Place&) const = default;
   };
   std::map<std::string, Place> places() const;
+  /// Where it lies once it moves no more.
   Place place(const std::string& name) const;
+  /// Frames drawn so far.
+  std::uint64_t frames() const;
+  /// Waits until so many were drawn, or the window rests.
+  void wait_for_frames(std::uint64_t count) const;
+  /// Gives input with xdotool, and waits for the frames that show what it did.
+  void hand(const std::string& words) const;
+  /// xdotool's words for the middle of a widget.
+  std::string move_to(const std::string& name) const;
   void command(const std::string& words) const;
 
   std::string display_;
