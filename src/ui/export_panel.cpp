@@ -11,7 +11,7 @@ class ExportPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::export_files; }
   Dock dock() const override { return Dock::dialog; }
-  ImVec2 size() const override { return {560, 460}; }
+  ImVec2 size() const override { return {560, 560}; }
   void draw(Desk& desk) override;
 
  private:

@@ -196,8 +196,17 @@ void LandWindow::draw_reading(const Desk& desk, const LandPart& land) const {
   mark("reading", {place.x, place.y - gui.px(20)}, {place.x + gui.px(200), place.y});
 }
 
+/// Number and model of a run that is compared, and the first thing in which it differs from the others.
+static std::string caption(const Config& config, const std::vector<SetupDifference>& differences, std::size_t run) {
+  std::string text = std::to_string(run + 1) + "  " + find_model(config.model).info.title;
+  const auto first = std::ranges::find_if(differences, [](const SetupDifference& one) { return one.name != "model"; });
+  if (first != differences.end() && run < first->values.size()) text += "\n" + first->label + " " + first->values[run];
+  return text;
+}
+
 void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& all) const {
   const Theme& theme = Gui::current().theme();
+  const std::vector<SetupDifference> differences = desk.studio.comparison().differences();
   for (std::size_t index = 0; index < all.size(); ++index) {
     const WindowPart& part = all[index].part;
     const bool chosen = index == desk.studio.active();
@@ -205,9 +214,8 @@ void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& al
     ImGui::GetWindowDrawList()->AddRect(
         corner, {corner.x + static_cast<float>(part.width), corner.y + static_cast<float>(part.height)},
         ImGui::GetColorU32(chosen ? theme.accent : theme.edge), 0, 0, Gui::current().px(chosen ? 2.0f : 1.0f));
-    const Config& config = *all[index].run->config;
     const float middle = corner.x + 0.5f * static_cast<float>(part.width);
-    const std::string text = std::to_string(index + 1) + "  " + find_model(config.model).info.title;
+    const std::string text = caption(*all[index].run->config, differences, index);
     draw_plate({middle - 0.5f * ImGui::CalcTextSize(text.c_str()).x, corner.y + Gui::current().px(34)}, text,
                chosen ? theme.accent : theme.text);
   }

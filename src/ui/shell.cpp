@@ -64,8 +64,7 @@ void Shell::apply_settings() {
   if ((gui_.theme().kind == ThemeKind::dark) != settings.dark) {
     gui_.set_theme(settings.dark ? ThemeKind::dark : ThemeKind::light);
   }
-  constexpr double screen_of_scale_1 = 1080;
-  const double own = std::clamp(std::round(2 * stage_.screen_height() / screen_of_scale_1) / 2, 1.0, 3.0);
+  const double own = scale_of_screen(stage_.screen_height());
   gui_.set_scale(static_cast<float>(settings.scale > 0 ? settings.scale : own));
 }
 
@@ -220,6 +219,11 @@ void Shell::draw_foot(float top, float height) {
 
 void Shell::draw_dialogs() {
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  // Escape closes the dialog that has the keyboard; when none has it, the one opened last.
+  const bool escape = ImGui::IsKeyPressed(keys::escape, false) && !ImGui::IsAnyItemActive() && !popup_was_open_;
+  popup_was_open_ = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+  const std::string last = dialog_has_keys_ || open_dialogs_.empty() ? std::string() : open_dialogs_.back();
+  dialog_has_keys_ = false;
   for (const auto& panel : panels_) {
     if (panel->dock() != Dock::dialog || !is_open(panel->title())) continue;
     const ImVec2 size = panel->size();
@@ -234,10 +238,10 @@ void Shell::draw_dialogs() {
       const WidgetScope scope(panel->title());
       if (shown) panel->draw(desk_);
     }
-    const bool escaped = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && !ImGui::IsAnyItemActive() &&
-                         ImGui::IsKeyPressed(keys::escape, false);
+    const bool has_keys = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+    dialog_has_keys_ = dialog_has_keys_ || has_keys;
     ImGui::End();
-    if (!stays || escaped) close(panel->title());
+    if (!stays || (escape && (has_keys || panel->title() == last))) close(panel->title());
   }
   to_front_.clear();
 }

@@ -96,6 +96,9 @@ class Shell {
   std::optional<Parting> parting_;
   std::vector<Action> actions_;
   bool columns_shown_ = true;
+  // In the last frame:
+  bool dialog_has_keys_ = false;
+  bool popup_was_open_ = false;
 };
 
 }  // namespace erg

@@ -29,7 +29,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int frame_milliseconds = 15;  // while busy: no more than about 60 frames a second
 constexpr int rest_milliseconds = 50;   // at rest: how often the program is asked whether it is busy
-constexpr int settling_frames = 3;      // after input: what appears may take ImGui so many frames
+constexpr double usual_width = 1280;    // pixels at scale 1
+constexpr double usual_height = 800;
+constexpr int settling_frames = 3;  // after input: what appears may take ImGui so many frames
 
 constexpr const char* remedy_display =
     "start it from a desktop, or over ssh with -X; without a display `erg run` grows dunes and `erg render` draws them";
@@ -71,6 +73,12 @@ Connection look_for_display() {
     throw InputError("DISPLAY", "nothing answers at " + in_quotes(name), remedy_display);
   }
   return display;
+}
+
+/// A side of the window: as wanted (0: as usual at the screen's scale), but no longer than the screen's.
+int on_screen(int wanted, double usual, int screen) {
+  const double side = wanted > 0 ? wanted : usual * scale_of_screen(glutGet(GLUT_SCREEN_HEIGHT));
+  return screen > 0 ? std::min(static_cast<int>(side), screen) : static_cast<int>(side);
 }
 
 int place_of_special(int key) {
@@ -251,14 +259,16 @@ Window::Window(const WindowOptions& options) {
   glutInitContextProfile(GLUT_CORE_PROFILE);
   glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA);
   glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
-  glutInitWindowSize(options.width, options.height);
+  const int width = on_screen(options.width, usual_width, glutGet(GLUT_SCREEN_WIDTH));
+  const int height = on_screen(options.height, usual_height, glutGet(GLUT_SCREEN_HEIGHT));
+  glutInitWindowSize(width, height);
   const int handle = glutCreateWindow(options.title.c_str());
   XSetErrorHandler(usual);
   load_gl();
   hidden_ = std::make_unique<Hidden>();
   hidden_->handle = handle;
-  hidden_->width = options.width;
-  hidden_->height = options.height;
+  hidden_->width = width;
+  hidden_->height = height;
   driver_ = reinterpret_cast<const char*>(gl11().GetString(GL_RENDERER));
 }
 

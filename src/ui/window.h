@@ -9,8 +9,8 @@ namespace erg {
 
 struct WindowOptions {
   std::string title = "Erg";
-  int width = 1280;  ///< pixels
-  int height = 800;  ///< pixels
+  int width = 0;  ///< pixels, at most the screen's; 0: as suits the screen
+  int height = 0;
 };
 
 /// What the window asks of the program that lives in it.

@@ -246,6 +246,7 @@ TEST_F(EditsTest, ComparedRunsGoByOneClock) {
   ASSERT_EQ(now->runs.size(), 2u);
   for (std::size_t run = 0; run < 2; ++run) {
     EXPECT_EQ(now->runs[run].step, 9);
+    EXPECT_EQ(now->runs[run].series->last_step(), 9) << "the numbers at rest are those of what is seen";
     Simulation alone(run == 0 ? first : second);
     for (int step = 0; step < 9; ++step) alone.step();
     EXPECT_EQ(hash(run), state_hash(alone.terrain()));

@@ -111,6 +111,9 @@ TEST_F(ShellHand, MenusOpenDialogsAndEscapeClosesThem) {
   EXPECT_FALSE(shell->is_open("EXPORT"));
   hand.key(keys::function + 1);
   EXPECT_TRUE(shell->is_open("KEYS"));
+  hand.click("RUN/step");  // the keyboard is elsewhere now
+  hand.key(keys::escape);
+  EXPECT_FALSE(shell->is_open("KEYS"));
 }
 
 TEST_F(ShellHand, TheMenusReachTheViewModel) {
