@@ -20,9 +20,10 @@ using namespace std::chrono_literals;
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto patience = 60s;        // on a machine that is busy with other things
-constexpr auto a_moment = 150ms;      // without a frame the window is at rest
-constexpr std::uint64_t settled = 3;  // what was just unfolded may still be moving for so many frames
+constexpr auto patience = 60s;       // on a machine that is busy with other things
+constexpr auto frame_patience = 1s;  // a window that has shown nothing for so long has nothing to show
+constexpr auto a_moment = 60ms;
+constexpr std::uint64_t settled = 3;  // so many frames after an input everything lies where it belongs
 
 bool soon(const std::function<bool()>& holds, Clock::duration limit = patience) {
   const auto end = Clock::now() + limit;
@@ -141,7 +142,8 @@ DesktopHand::Place DesktopHand::place(const std::string& name) const {
   do {
     last = now;
     wait_for(name);
-    wait_for_frames(frames() + settled);
+    const std::uint64_t before = frames();
+    soon([&] { return frames() > before; }, a_moment);
     const auto all = places();
     const auto found = all.find(name);
     if (found != all.end()) now = found->second;
@@ -156,9 +158,8 @@ std::uint64_t DesktopHand::frames() const {
 }
 
 void DesktopHand::wait_for_frames(std::uint64_t count) const {
-  // A window at rest draws none.
   for (std::uint64_t last = frames(); last < count; last = frames()) {
-    if (!soon([&] { return frames() > last; }, a_moment)) return;
+    if (!soon([&] { return frames() > last; }, frame_patience)) return;
   }
 }
 

@@ -15,7 +15,7 @@ namespace erg::test {
 class Display {
  public:
   /// Throws std::runtime_error when Xvfb does not start.
-  explicit Display(const std::string& size = "1280x800x24");
+  explicit Display(const std::string& size = "1000x760x24");
   ~Display();
   Display(const Display&) = delete;
   Display& operator=(const Display&) = delete;

@@ -29,7 +29,7 @@ std::string small_land(const TemporaryFolder& folder) {
 TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   const TemporaryFolder folder;
   const Display display;
-  DesktopHand hand(display, folder.path(), {"--width", "1280", "--height", "800"});
+  DesktopHand hand(display, folder.path(), {"--width", "1000", "--height", "760"});
   hand.click("GALLERY/barchans");
   hand.wait_for("RUN/play");
   hand.click("SETUP/Model");  // folded away, so that the grid is in sight
