@@ -216,7 +216,8 @@ void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& al
         ImGui::GetColorU32(chosen ? theme.accent : theme.edge), 0, 0, Gui::current().px(chosen ? 2.0f : 1.0f));
     const float middle = corner.x + 0.5f * static_cast<float>(part.width);
     const std::string text = caption(*all[index].run->config, differences, index);
-    draw_plate({middle - 0.5f * ImGui::CalcTextSize(text.c_str()).x, corner.y + Gui::current().px(34)}, text,
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    draw_plate({middle - 0.5f * size.x, corner.y + size.y + Gui::current().px(18)}, text,
                chosen ? theme.accent : theme.text);
   }
 }

@@ -1,6 +1,8 @@
 #include "ui/theme.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 namespace erg {

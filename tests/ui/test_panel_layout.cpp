@@ -70,7 +70,7 @@ void look_at(PanelHand& panel, const char* title) {
 
 TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
   Scenery scenery;
-  Bookmarks bookmarks{{}};
+  Bookmarks bookmarks{std::filesystem::path()};
   bookmarks.keep("over the lee", {});
   std::vector<std::unique_ptr<Panel>> panels = make_panels();
   panels.push_back(make_look_panel(scenery, bookmarks));

@@ -190,7 +190,8 @@ TEST_F(ShellHand, CreatingOverAPaintedLandAsksFirst) {
   hand.click("UNSAVED/SAVE");
   hand.frames(3);
   hand.enter("SAVE THE LAND/name", "painted");
-  while (shell->is_open("UNSAVED")) hand.frames();
+  constexpr int patience = 2000;
+  for (int frame = 0; frame < patience && shell->is_open("UNSAVED"); ++frame) hand.frames();
   settle();
   EXPECT_NE(state_hash(*now().runs[0].terrain), painted);
   EXPECT_EQ(state_hash(read_checkpoint(folder / "painted.checkpoint").state.terrain), painted);
