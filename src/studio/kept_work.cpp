@@ -48,7 +48,8 @@ const KeptWork::Land* KeptWork::kept_land(const Snapshot& snapshot, std::size_t 
 std::string KeptWork::why_land_is_work(const Snapshot& snapshot, std::size_t run) const {
   const Land* const kept = kept_land(snapshot, run);
   const double worked = snapshot.seconds_worked - (kept == nullptr ? 0 : kept->seconds_worked);
-  if (snapshot.runs[run].last_stroke != (kept == nullptr ? 0 : kept->last_stroke)) return "was painted on";
+  const std::uint64_t stroke = snapshot.runs[run].last_stroke;
+  if (stroke != 0 && (kept == nullptr || stroke != kept->last_stroke)) return "was painted on";
   if (kept == nullptr && snapshot.creations == recovered_creation_) return "was recovered after a crash";
   if (worked < long_work) return {};
   return "has grown for " + std::to_string(std::lround(worked / 60)) + " minutes";

@@ -17,8 +17,6 @@ constexpr int work_for_numbers = 10;                             // taking numbe
 constexpr int most_doublings = 6;                                // of the pause between two rows of numbers, each time
 constexpr auto rate_window = 500ms;
 
-std::uint64_t revision_of(const Terrain& terrain) { return terrain.revision() + terrain.fields_revision(); }
-
 FieldInfo shadow_info() {
   return {.key = "shadow",
           .label = "Wind shadow",
@@ -69,8 +67,8 @@ struct Publisher::Lane {
   explicit Lane(Simulation& simulation) : meter(simulation.totals(), simulation.step_count()) {}
 
   RunSnapshot shown;
-  bool stale = true;           ///< the terrain is not what was shown
-  std::uint64_t revision = 0;  ///< of the terrain as it was shown
+  bool stale = true;                  ///< the terrain is not what was shown
+  std::uint64_t fields_revision = 0;  ///< of the terrain as it was shown
   bool config_stale = true;
   RunMeter meter;
   Series series;
@@ -105,8 +103,8 @@ void Publisher::configured(Lockstep& runs) {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = *lanes_[i];
     lane.config_stale = true;
-    // A model that begins anew may have touched the terrain.
-    lane.stale = lane.stale || revision_of(runs.run(i).terrain()) != lane.revision;
+    // A model that begins anew may lay fields; the ground it leaves alone.
+    lane.stale = lane.stale || runs.run(i).terrain().fields_revision() != lane.fields_revision;
   }
 }
 
@@ -148,7 +146,7 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
     const Terrain& terrain = simulation.terrain();
     view.terrain = pool_->copy_of(terrain);
     view.terrain_version = next_version_++;
-    lane.revision = revision_of(terrain);
+    lane.fields_revision = terrain.fields_revision();
     view.mass_now = terrain.total_mobile();
     view.shadow = nullptr;
   }
