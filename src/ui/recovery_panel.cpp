@@ -20,7 +20,7 @@ class RecoveryPanel final : public Panel {
   const char* title() const override { return panel_title::recovery; }
   Dock dock() const override { return Dock::dialog; }
   bool wanted(const Desk& desk) const override { return !desk.studio.lost_sessions().empty(); }
-  ImVec2 size() const override { return {560, 260}; }
+  ImVec2 size() const override { return {560, 200}; }
   void draw(Desk& desk) override;
 
  private:

@@ -15,7 +15,7 @@ class UnsavedPanel final : public Panel {
 
   const char* title() const override { return unsaved_title; }
   Dock dock() const override { return Dock::dialog; }
-  ImVec2 size() const override { return {560, 180}; }
+  ImVec2 size() const override { return {560, 130}; }
   void draw(Desk& desk) override;
 
  private:
