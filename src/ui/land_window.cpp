@@ -79,7 +79,11 @@ void LandWindow::take_wanted_view(const std::vector<LandPart>& lands) {
 void LandWindow::take_input(Desk& desk, WindowPart area) {
   const Snapshot& now = desk.studio.now();
   area_ = area;
+  const std::size_t parts_before = parts_.size();
   parts_ = split(area, now.runs.size());
+  // Beside others a run has less room than alone: all of it stays in sight.
+  const bool other_room = parts_before > 0 && parts_.size() != parts_before;
+  if (other_room && scenery_.wanted_view.empty()) scenery_.wanted_view = "frame";
   tool_ = desk.tool;
   desk.tool = LandTool::camera;  // a panel that wants another says so in every frame
   const std::vector<LandPart> all = lands(now);
