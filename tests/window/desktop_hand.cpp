@@ -20,8 +20,7 @@ using namespace std::chrono_literals;
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto patience = 60s;       // on a machine that is busy with other things
-constexpr auto frame_patience = 1s;  // a window that has shown nothing for so long has nothing to show
+constexpr auto patience = 60s;  // on a machine that is busy with other things
 constexpr auto a_moment = 60ms;
 constexpr std::uint64_t settled = 3;  // so many frames after an input everything lies where it belongs
 
@@ -157,16 +156,15 @@ std::uint64_t DesktopHand::frames() const {
   return count;
 }
 
-void DesktopHand::wait_for_frames(std::uint64_t count) const {
-  for (std::uint64_t last = frames(); last < count; last = frames()) {
-    if (!soon([&] { return frames() > last; }, frame_patience)) return;
-  }
+bool DesktopHand::has_ended() const {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0;
 }
 
-void DesktopHand::hand(const std::string& words) const {
-  const std::uint64_t before = frames();
+void DesktopHand::hand(const std::string& words, std::uint64_t presses) const {
+  const std::uint64_t goal = frames() + presses + settled;
   command("xdotool " + words);
-  wait_for_frames(before + settled);
+  if (!soon([&] { return frames() >= goal || has_ended(); })) throw std::runtime_error("nothing is drawn: " + words);
 }
 
 void DesktopHand::command(const std::string& words) const {
@@ -174,33 +172,37 @@ void DesktopHand::command(const std::string& words) const {
   if (std::system(line.c_str()) != 0) throw std::runtime_error("failed: " + line);
 }
 
-std::string DesktopHand::move_to(const std::string& name) const {
+void DesktopHand::move_to(const std::string& name) const {
   const Place at = place(name);
-  return "mousemove " + std::to_string((at.left + at.right) / 2) + " " + std::to_string((at.top + at.bottom) / 2);
+  const std::string there = std::to_string((at.left + at.right) / 2) + " " + std::to_string((at.top + at.bottom) / 2);
+  // Where the pointer is already, nothing happens that would be drawn.
+  if (there != pointer_) hand("mousemove " + there, 0);
+  pointer_ = there;
 }
 
 void DesktopHand::click(const std::string& name) const {
-  hand(move_to(name));
-  hand("mousedown 1 mouseup 1");
+  move_to(name);
+  hand("mousedown 1 mouseup 1", 2);
 }
 
 void DesktopHand::drag(const std::string& name, int right, int down) const {
-  hand(move_to(name));
-  hand("mousedown 1");
+  move_to(name);
+  hand("mousedown 1", 1);
   for (int part = 0; part < 2; ++part) {
-    hand("mousemove_relative -- " + std::to_string(right / 2) + " " + std::to_string(down / 2));
+    hand("mousemove_relative -- " + std::to_string(right / 2) + " " + std::to_string(down / 2), 0);
   }
-  hand("mouseup 1");
+  hand("mouseup 1", 1);
+  pointer_.clear();
 }
 
-void DesktopHand::key(const std::string& keys) const { hand("key " + keys); }
+void DesktopHand::key(const std::string& keys) const { hand("key " + keys, 1); }
 
-void DesktopHand::type(const std::string& text) const { hand("type --delay 2 -- '" + text + "'"); }
+void DesktopHand::type(const std::string& text) const { hand("type --delay 2 -- '" + text + "'", text.size()); }
 
 void DesktopHand::enter(const std::string& name, const std::string& text) const {
-  hand(move_to(name));
-  hand("keydown ctrl mousedown 1 mouseup 1 keyup ctrl");
-  hand("key ctrl+a");
+  move_to(name);
+  hand("keydown ctrl mousedown 1 mouseup 1 keyup ctrl", 2);
+  key("ctrl+a");
   type(text);
   key("Return");
 }

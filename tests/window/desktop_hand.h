@@ -71,15 +71,15 @@ class DesktopHand {
   Place place(const std::string& name) const;
   /// Frames drawn so far.
   std::uint64_t frames() const;
-  /// Waits until so many were drawn, or the window rests.
-  void wait_for_frames(std::uint64_t count) const;
-  /// Gives input with xdotool, and waits for the frames that show what it did.
-  void hand(const std::string& words) const;
-  /// xdotool's words for the middle of a widget.
-  std::string move_to(const std::string& name) const;
+  bool has_ended() const;
+  /// Gives input with xdotool, and waits for the frames that show what it did: one for each press of a button or key
+  /// and each button let go, and those in which everything settles.
+  void hand(const std::string& words, std::uint64_t presses) const;
+  void move_to(const std::string& name) const;
   void command(const std::string& words) const;
 
   std::string display_;
+  mutable std::string pointer_;  // where it is, as xdotool has it
   std::filesystem::path map_;
   std::filesystem::path errors_;
   pid_t process_ = -1;
