@@ -17,6 +17,13 @@
 
 namespace erg {
 
+/// Where a setup of a model begins when it is chosen, so that its forms come out of it.
+struct ModelStart {
+  double cell_size = 1;  ///< m
+  double strength = 5;   ///< of a constant wind
+  double sand = 3;       ///< mean thickness of the mobile layer, slabs a cell
+};
+
 /// What a model is, for people.
 struct ModelInfo {
   std::string key;                     ///< name in configs and on the command line
@@ -27,6 +34,7 @@ struct ModelInfo {
   std::string step;                    ///< what one time step means
   std::string strength_label;          ///< what the wind's strength is: "hop length, cells"
   Material material = Material::sand;  ///< what it moves
+  ModelStart start = {};
 };
 
 /// What the beginning of a run may need besides the terrain.

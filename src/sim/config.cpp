@@ -229,6 +229,22 @@ std::vector<std::string> model_keys() {
   return keys;
 }
 
+namespace {
+
+/// Takes cells, wind and sand from one start to another where they stand at the first.
+void move_start(Config& config, const ModelStart& from, const ModelStart& to) {
+  if (config.grid.real("cell_size") == from.cell_size) config.grid.set("cell_size", to.cell_size);
+  if (config.scene.real("sand") == from.sand) config.scene.set("sand", to.sand);
+  Season& season = config.wind.seasons.front();
+  if (config.wind.seasons.size() == 1 && season.first == from.strength && season.last == from.strength) {
+    season.first = season.last = to.strength;
+  }
+}
+
+}  // namespace
+
+void start_as_model(Config& config) { move_start(config, {}, find_model(config.model).info.start); }
+
 void change_model(Config& config, const std::string& model_key) {
   ParameterValues values(find_model(model_key).parameters);
   for (const Parameter& parameter : config.parameters.declared()) {
@@ -237,6 +253,7 @@ void change_model(Config& config, const std::string& model_key) {
     const ParameterValue& value = config.parameters.value(parameter.key);
     if (!check_value(*same, value, "")) values.set(parameter.key, value);
   }
+  move_start(config, find_model(config.model).info.start, find_model(model_key).info.start);
   config.model = model_key;
   config.parameters = std::move(values);
 }

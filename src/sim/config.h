@@ -54,8 +54,11 @@ struct ConfigGroup {
 const std::vector<ConfigGroup>& config_groups();
 
 /// Changes the model. Values that were set (are not at their default) stay where the new model has the same parameter
-/// and accepts them; all others take the new model's defaults. Throws InputError for an unknown key.
+/// and accepts them; all others take the new model's defaults. Cells, wind and sand that stand where the old model
+/// starts go to where the new one does (ModelStart). Throws InputError for an unknown key.
 void change_model(Config& config, const std::string& model_key);
+/// Cells, wind and sand as the model starts with them.
+void start_as_model(Config& config);
 
 /// The keys of all models, in the catalogue's order.
 std::vector<std::string> model_keys();

@@ -70,7 +70,7 @@ void Lockstep::resume(std::vector<Saved> saved) {
 
 void Lockstep::reset() {
   if (empty()) return;
-  remember(0);
+  remember(0, 0);
   redo_.clear();
   go_to(beginning_);
 }
@@ -103,15 +103,23 @@ void Lockstep::change(const std::vector<Config>& configs) {
       throw InputError("", "this change needs a new terrain", "press CREATE");
     }
   }
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (runs_[i]->config() != configs[i]) runs_[i]->change(configs[i]);
+  std::vector<Config> before;
+  try {
+    for (std::size_t i = 0; i < size(); ++i) {
+      before.push_back(runs_[i]->config());
+      if (before[i] != configs[i]) runs_[i]->change(configs[i]);
+    }
+  } catch (...) {
+    // All of them or none: a run that refuses is as it was, those before it go back.
+    for (std::size_t i = 0; i + 1 < before.size(); ++i) runs_[i]->change(before[i]);
+    throw;
   }
 }
 
 void Lockstep::paint(std::size_t run, const Dab& dab, std::uint64_t stroke) {
   if (run >= size()) throw InputError("brush", "there is no such run", "create a terrain first");
   const bool new_stroke = undo_.empty() || undo_.back().stroke != stroke || undo_.back().step != step_count();
-  if (new_stroke) remember(stroke);
+  if (new_stroke) remember(stroke, run);
   bool changed = false;
   try {
     changed = apply_dab(runs_[run]->edit_terrain(), dab);
@@ -127,8 +135,15 @@ void Lockstep::paint(std::size_t run, const Dab& dab, std::uint64_t stroke) {
   }
 }
 
-void Lockstep::remember(std::uint64_t stroke) {
-  undo_.push_back({stroke, step_count(), moment()});
+std::uint64_t Lockstep::last_stroke(std::size_t run) const {
+  for (auto edit = undo_.rbegin(); edit != undo_.rend() && edit->stroke != 0; ++edit) {
+    if (edit->run == run) return edit->stroke;
+  }
+  return 0;
+}
+
+void Lockstep::remember(std::uint64_t stroke, std::size_t run) {
+  undo_.push_back({stroke, run, step_count(), moment()});
   const auto too_much = [this] {
     std::size_t bytes = 0;
     for (const Edit& edit : undo_) bytes += bytes_of(edit.state);
@@ -148,7 +163,7 @@ bool Lockstep::redo() { return swap_with(redo_, undo_); }
 
 bool Lockstep::swap_with(std::deque<Edit>& from, std::deque<Edit>& to) {
   if (from.empty()) return false;
-  Edit present{from.back().stroke, step_count(), moment()};
+  Edit present{from.back().stroke, from.back().run, step_count(), moment()};
   go_to(from.back().state);
   from.pop_back();
   to.push_back(std::move(present));

@@ -48,6 +48,8 @@ class Lockstep {
   /// A dab on one run, booked in its ledger. Throws InputError.
   void paint(std::size_t run, const Dab& dab, std::uint64_t stroke);
 
+  /// Number of the last stroke on this run since it was created or reset; 0: none.
+  std::uint64_t last_stroke(std::size_t run) const;
   std::size_t undo_count() const { return undo_.size(); }
   std::size_t redo_count() const { return redo_.size(); }
   /// Back to exactly what was before the last stroke or reset: terrain, account, clock. What the runs are set to stays.
@@ -58,10 +60,11 @@ class Lockstep {
  private:
   struct Edit {
     std::uint64_t stroke = 0;  ///< 0: a reset
+    std::size_t run = 0;       ///< that was painted
     std::int64_t step = 0;
     Moment state;
   };
-  void remember(std::uint64_t stroke);
+  void remember(std::uint64_t stroke, std::size_t run);
   void forget_edits();
   bool swap_with(std::deque<Edit>& from, std::deque<Edit>& to);
   void take(std::vector<std::unique_ptr<Simulation>> runs);

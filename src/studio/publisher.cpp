@@ -67,12 +67,12 @@ struct Publisher::Lane {
   explicit Lane(Simulation& simulation) : meter(simulation.totals(), simulation.step_count()) {}
 
   RunSnapshot shown;
-  bool stale = true;  ///< the terrain is not what was shown
+  bool stale = true;                  ///< the terrain is not what was shown
+  std::uint64_t fields_revision = 0;  ///< of the terrain as it was shown
   bool config_stale = true;
   RunMeter meter;
   Series series;
   bool series_stale = true;
-  Clock::time_point numbers_taken{};
 };
 
 Publisher::Publisher() : pool_(std::make_shared<TerrainPool>()) {}
@@ -99,26 +99,43 @@ void Publisher::touched(Lockstep& runs) {
   }
 }
 
+void Publisher::configured(Lockstep& runs) {
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    Lane& lane = *lanes_[i];
+    lane.config_stale = true;
+    // A model that begins anew may lay fields; the ground it leaves alone.
+    lane.stale = lane.stale || runs.run(i).terrain().fields_revision() != lane.fields_revision;
+  }
+}
+
 void Publisher::stepped(Lockstep& runs, std::int64_t polls) {
   ++window_steps_;
   window_polls_ += polls;
+  for (const auto& lane : lanes_) lane->stale = true;
+  const Clock::time_point begin = Clock::now();
+  bool taken = false;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    Lane& lane = *lanes_[i];
-    lane.stale = true;
-    if (!lane.series.due(runs.run(i).step_count())) continue;
-    const Clock::time_point begin = Clock::now();
-    Clock::duration pause = begin - lane.numbers_taken;
-    take_numbers(lane, runs.run(i));
-    // At once as seldom as is cheap enough: on a large grid a row takes as long as many steps.
-    const Clock::duration long_enough = (lane.numbers_taken - begin) * work_for_numbers;
-    for (int doubled = 0; doubled < most_doublings && pause < long_enough; ++doubled, pause *= 2) lane.series.widen();
+    if (!lanes_[i]->series.due(runs.run(i).step_count())) continue;
+    take_numbers(*lanes_[i], runs.run(i));
+    taken = true;
+  }
+  if (taken) space_out_numbers(begin);
+}
+
+/// Rows of numbers were taken since `begin`: from now on as seldom as is cheap enough, for on a large grid a row takes
+/// as long as many steps. All runs alike, so that the rows of those that are compared are of the same steps.
+void Publisher::space_out_numbers(Clock::time_point begin) {
+  Clock::duration pause = begin - numbers_taken_;
+  numbers_taken_ = Clock::now();
+  const Clock::duration long_enough = (numbers_taken_ - begin) * work_for_numbers;
+  for (int doubled = 0; doubled < most_doublings && pause < long_enough; ++doubled, pause *= 2) {
+    for (const auto& lane : lanes_) lane->series.widen();
   }
 }
 
 void Publisher::take_numbers(Lane& lane, Simulation& simulation) {
   lane.series.add(lane.meter.take(simulation));
   lane.series_stale = true;
-  lane.numbers_taken = Clock::now();
 }
 
 void Publisher::look_at(Lane& lane, Simulation& simulation) {
@@ -129,6 +146,7 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
     const Terrain& terrain = simulation.terrain();
     view.terrain = pool_->copy_of(terrain);
     view.terrain_version = next_version_++;
+    lane.fields_revision = terrain.fields_revision();
     view.mass_now = terrain.total_mobile();
     view.shadow = nullptr;
   }
@@ -150,7 +168,10 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
 void Publisher::fill(Snapshot& snapshot, Lockstep& runs, bool running) {
   const Clock::time_point begin = Clock::now();
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    // At rest the last numbers are those of what is seen.
+    if (!running && lanes_[i]->series.last_step() < runs.run(i).step_count()) take_numbers(*lanes_[i], runs.run(i));
     look_at(*lanes_[i], runs.run(i));
+    lanes_[i]->shown.last_stroke = runs.last_stroke(i);
     snapshot.runs.push_back(lanes_[i]->shown);
   }
   if (running) {

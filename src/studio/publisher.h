@@ -32,6 +32,8 @@ class Publisher {
   void stepped(Lockstep& runs, std::int64_t polls);
   /// The runs were changed, painted on or taken back: they are not what was shown.
   void touched(Lockstep& runs);
+  /// The runs have other configs; the terrain stays what it is.
+  void configured(Lockstep& runs);
   /// Fills in `runs` and the rates; terrains that did not change since are shared with the last snapshot.
   void fill(Snapshot& snapshot, Lockstep& runs, bool running);
   /// Rates start anew: the runs begin to move now.
@@ -43,6 +45,7 @@ class Publisher {
 
   void look_at(Lane& lane, Simulation& simulation);
   void take_numbers(Lane& lane, Simulation& simulation);
+  void space_out_numbers(Clock::time_point begin);
   void update_rates(Clock::time_point now);
 
   std::vector<std::unique_ptr<Lane>> lanes_;
@@ -50,6 +53,7 @@ class Publisher {
   std::uint64_t next_version_ = 1;
   bool shadow_wanted_ = false;
   Clock::time_point next_{};
+  Clock::time_point numbers_taken_{};
   // Of the present second.
   Clock::time_point window_start_{};
   std::int64_t window_steps_ = 0;

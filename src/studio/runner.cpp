@@ -78,6 +78,7 @@ void Runner::reset() {
   give([this] {
     halt();
     edit([this] { runs_.reset(); });
+    worked_ = {};
   });
 }
 
@@ -112,7 +113,11 @@ void Runner::set_speed(double steps_per_second) {
 }
 
 void Runner::change(std::vector<Config> configs) {
-  give([this, configs = std::move(configs)] { edit([&] { runs_.change(configs); }); });
+  give([this, configs = std::move(configs)] {
+    runs_.change(configs);
+    publisher_.configured(runs_);
+    settle_edit();
+  });
 }
 
 void Runner::paint(std::size_t run, const Dab& dab, std::uint64_t stroke) {
@@ -204,7 +209,9 @@ void Runner::step_on() {
 void Runner::step_once() {
   try {
     if (before_step_) before_step_();
+    const Clock::time_point begin = Clock::now();
     const std::int64_t polls = runs_.step();
+    worked_ += Clock::now() - begin;
     publisher_.stepped(runs_, polls);
     unshown_ = true;
   } catch (const std::exception& error) {
@@ -231,6 +238,7 @@ void Runner::make(const std::function<void()>& build) {
   }
   publisher_.made_anew(runs_);
   ++creations_;
+  worked_ = {};
   activity_ = Activity::paused;
   message_.clear();
   goal_ = -1;
@@ -241,6 +249,10 @@ void Runner::make(const std::function<void()>& build) {
 void Runner::edit(const std::function<void()>& change) {
   change();
   publisher_.touched(runs_);
+  settle_edit();
+}
+
+void Runner::settle_edit() {
   if (activity_ == Activity::failed) activity_ = Activity::paused;
   settle();
 }
@@ -282,6 +294,7 @@ void Runner::publish() {
   next->activity = activity_;
   next->message = message_;
   next->speed_limit = speed_limit_;
+  next->seconds_worked = std::chrono::duration<double>(worked_).count();
   next->goal_start = goal_start_;
   next->goal = goal_;
   next->undo_count = runs_.undo_count();

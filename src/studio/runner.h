@@ -89,6 +89,7 @@ class Runner {
   void step_on();
   void make(const std::function<void()>& build);
   void edit(const std::function<void()>& change);
+  void settle_edit();
   void settle();
   void fail(const std::string& what);
   void publish();
@@ -119,6 +120,7 @@ class Runner {
   std::int64_t goal_start_ = 0;
   std::int64_t goal_ = -1;
   Clock::time_point next_step_{};
+  Clock::duration worked_{};  // that steps have taken since the runs were made or reset
 
   std::thread thread_;
 };

@@ -16,8 +16,8 @@ struct Settings {
 
   bool dark = true;
   double scale = 0;  ///< of the interface; 0: chosen from the window's size
-  int window_width = 1280;
-  int window_height = 800;
+  int window_width = 0;  ///< pixels; 0: as suits the screen
+  int window_height = 0;
   std::map<std::string, double> layout;  ///< sizes of panels and what is folded, by names of the window's own
   std::string last_folder;
   std::vector<std::string> recent;  ///< absolute paths, latest first

@@ -44,6 +44,8 @@ struct RunSnapshot {
   std::int64_t mass_now = 0;             ///< quanta on the ground, counted
   std::string executor;                  ///< "cpu"
   int threads = 1;
+  /// Number of the last stroke of the brush on it since it was made or reset; 0: none.
+  std::uint64_t last_stroke = 0;
 
   /// Quanta on the ground beyond what the ledger says: 0, always.
   std::int64_t mass_drift() const { return mass_now - terrain->ledger().expected(); }
@@ -61,6 +63,7 @@ struct Snapshot {
   std::vector<RunSnapshot> runs;  ///< none before the first create; two to four when comparing
   double steps_per_second = 0;    ///< measured over the last second or so; 0 unless running
   double polls_per_second = 0;    ///< the same, of all runs together
+  double seconds_worked = 0;      ///< that the steps have taken since the runs were made or reset
   double speed_limit = 0;         ///< steps a second that were asked for; 0: unlimited
   std::int64_t goal_start = 0;    ///< step at which "run N steps" began
   std::int64_t goal = -1;         ///< step at which it pauses; -1: none

@@ -24,9 +24,16 @@ bool logged(Log& log, const Work& work) {
   return false;
 }
 
+bool is_below(const fs::path& file, const fs::path& folder) {
+  if (folder.empty()) return false;
+  std::error_code ignored;
+  const fs::path way = fs::relative(file, folder, ignored);
+  return !way.empty() && *way.begin() != "..";
+}
+
 }  // namespace
 
-Studio::Studio(StudioFolders folders) : folders_(std::move(folders)) {
+Studio::Studio(StudioFolders folders, std::function<void()> before_step) : folders_(std::move(folders)) {
   std::string complaint;
   if (!folders_.settings.empty()) settings_ = read_settings(folders_.settings, complaint);
   if (!complaint.empty()) log_.warning(complaint);
@@ -35,7 +42,8 @@ Studio::Studio(StudioFolders folders) : folders_(std::move(folders)) {
     lost_ = Session::lost(folders_.state);
     logged(log_, [this] { session_ = std::make_unique<Session>(folders_.state); });
   }
-  runner_ = std::make_unique<Runner>(log_);
+  kept_.start_from({}, comparison_.config(0));
+  runner_ = std::make_unique<Runner>(log_, std::move(before_step));
   snapshot_ = runner_->snapshot();
 }
 
@@ -93,12 +101,14 @@ void Studio::take_over_creation() {
     comparison_ = std::move(before_opening_->comparison);
     active_ = before_opening_->active;
     file_ = std::move(before_opening_->file);
-    kept_config_ = std::move(before_opening_->kept_config);
+    kept_ = std::move(before_opening_->kept);
     handed_over_.clear();
   } else if (before_opening_ && !file_.empty()) {
     log_.information("opened " + file_.string());
     remember_file();
   }
+  if (made && recovering_) kept_.recovered(*snapshot_);
+  recovering_ = false;
   before_opening_.reset();
 }
 
@@ -115,33 +125,33 @@ void Studio::apply_edits() {
 bool Studio::open(const fs::path& path) {
   return logged(log_, [&] {
     if (path.extension() == ".checkpoint") {
-      resume({read_checkpoint(path)});
+      resume({read_checkpoint(path)}, path);
     } else {
       Comparison opened;
       opened.set_only(Setup(read_config(path)));
       std::vector<Config> configs = opened.configs_to_create();
-      show(std::move(opened));
+      show(std::move(opened), path);
       hand_over(std::move(configs));
     }
-    file_ = path;
   });
 }
 
 /// Other setups than before; what was there is kept until the runs are made.
-void Studio::show(Comparison comparison) {
-  if (!before_opening_) before_opening_ = Before{comparison_, active_, file_, kept_config_};
+void Studio::show(Comparison comparison, const fs::path& file) {
+  if (!before_opening_) before_opening_ = Before{comparison_, active_, file_, kept_};
   comparison_ = std::move(comparison);
   active_ = 0;
-  kept_config_ = comparison_.setup(0).config();
+  file_ = file;
+  kept_.start_from(file_, comparison_.config(0));
 }
 
-void Studio::resume(std::vector<Saved> saved) {
+void Studio::resume(std::vector<Saved> saved, const fs::path& file) {
   Comparison resumed;
   for (std::size_t i = 0; i < saved.size(); ++i) {
     if (i > 0) resumed.add_copy_of(0);
     resumed.setup(i).replace(saved[i].config);
   }
-  show(std::move(resumed));
+  show(std::move(resumed), file);
   handed_over_ = comparison_.configs();
   runner_->resume(std::move(saved));
   creation_awaited_ = runner_->commands_given();
@@ -151,8 +161,8 @@ bool Studio::save_config(const fs::path& path) {
   return logged(log_, [&] {
     Config config = comparison_.config(active_);
     write_config(path, config);
+    kept_.setup_saved(path, std::move(config));
     file_ = path;
-    kept_config_ = std::move(config);
     remember_file();
     log_.information("saved " + path.string());
   });
@@ -163,7 +173,30 @@ void Studio::remember_file() {
   settings_.last_folder = fs::absolute(file_).parent_path().string();
 }
 
-bool Studio::unsaved() const { return comparison_.config(active_) != kept_config_; }
+bool Studio::has_own_file() const {
+  return file_.extension() == ".json" && comparison_.size() == 1 && !is_below(file_, folders_.presets);
+}
+
+std::string Studio::suggested_name(const std::string& ending) const {
+  if (!file_.empty()) return file_.stem().string() + ending;
+  std::string name;
+  for (const char letter : comparison_.setup(active_).config().title) {
+    const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
+    const bool capital = letter >= 'A' && letter <= 'Z';
+    if (plain || capital) {
+      name += capital ? static_cast<char>(letter - 'A' + 'a') : letter;
+    } else if (!name.empty() && name.back() != '_') {
+      name += '_';
+    }
+  }
+  return (name.empty() ? "dunes" : name) + ending;
+}
+
+bool Studio::unsaved() const { return !kept_.has(comparison_.config(active_)); }
+
+std::optional<UnsavedWork> Studio::unsaved_work(Leaves leaves) const {
+  return kept_.missing(comparison_, *snapshot_, leaves);
+}
 
 std::string Studio::title() const {
   const Config& config = comparison_.setup(active_).config();
@@ -180,6 +213,8 @@ void Studio::start_export(const fs::path& path, const std::string& format) {
     return;
   }
   export_.reset();  // one at a time: stops the one before
+  exported_ = format == "checkpoint" ? snapshot_ : nullptr;
+  exported_run_ = shown();
   export_ = std::make_unique<Export>(path, format, snapshot_, shown());
   export_reported_ = false;
 }
@@ -187,7 +222,13 @@ void Studio::start_export(const fs::path& path, const std::string& format) {
 void Studio::watch_export() {
   if (export_ == nullptr || export_reported_ || export_->state() == Export::State::writing) return;
   export_reported_ = true;
-  if (export_->state() == Export::State::done) log_.information("wrote " + export_->path().string());
+  if (export_->state() == Export::State::done) {
+    log_.information("wrote " + export_->path().string());
+    if (exported_ != nullptr) {
+      kept_.land_saved(*exported_, exported_run_);
+      kept_.setup_saved(export_->path(), *exported_->runs[exported_run_].config);
+    }
+  }
   if (export_->state() == Export::State::stopped) log_.warning("stopped writing " + export_->path().string());
   if (export_->state() == Export::State::failed) log_.error(export_->problem());
 }
@@ -203,8 +244,8 @@ Provenance Studio::provenance() const {
 bool Studio::recover(std::size_t index) {
   const LostSession session = lost_.at(index);
   return logged(log_, [&] {
-    resume(Session::recover(session));
-    file_.clear();
+    resume(Session::recover(session), {});
+    recovering_ = true;
     lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(index));
     if (session_ != nullptr) session_->replaces(session);
     log_.information("recovered the session of " + session.saved_at);

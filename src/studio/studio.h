@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "studio/comparison.h"
 #include "studio/exporter.h"
+#include "studio/kept_work.h"
 #include "studio/log.h"
 #include "studio/probe.h"
 #include "studio/runner.h"
@@ -30,7 +32,8 @@ struct StudioFolders {
 /// The view model. Belongs to the window's thread.
 class Studio {
  public:
-  explicit Studio(StudioFolders folders);
+  /// `before_step` as for Runner.
+  explicit Studio(StudioFolders folders, std::function<void()> before_step = {});
   /// Saves settings and ends the session in order.
   ~Studio();
   Studio(const Studio&) = delete;
@@ -63,8 +66,14 @@ class Studio {
   bool save_config(const std::filesystem::path& path);
   /// The file that the setup came from or was saved to; empty at first.
   const std::filesystem::path& file() const { return file_; }
-  /// The setup differs from what was loaded or saved.
+  /// Whether `file` is a config of the person's own that Save writes anew. Presets are there to start from.
+  bool has_own_file() const;
+  /// A name for a file about the active run, from its file or title.
+  std::string suggested_name(const std::string& ending) const;
+  /// The active setup stands in no file.
   bool unsaved() const;
+  /// What would be lost if this were left behind now.
+  std::optional<UnsavedWork> unsaved_work(Leaves leaves) const;
   /// "barchan field - Momiji et al. 2000, 512 x 512".
   std::string title() const;
 
@@ -92,8 +101,8 @@ class Studio {
   void take_over_creation();
   void apply_edits();
   void watch_export();
-  void show(Comparison comparison);
-  void resume(std::vector<Saved> saved);
+  void show(Comparison comparison, const std::filesystem::path& file);
+  void resume(std::vector<Saved> saved, const std::filesystem::path& file);
   void keep_settings();
   void remember_file();
 
@@ -102,7 +111,7 @@ class Studio {
     Comparison comparison;
     std::size_t active = 0;
     std::filesystem::path file;
-    Config kept_config;
+    KeptWork kept;
   };
 
   StudioFolders folders_;
@@ -112,15 +121,18 @@ class Studio {
   Comparison comparison_;
   std::size_t active_ = 0;
   std::filesystem::path file_;
-  Config kept_config_;                  // as it stands in the file
+  KeptWork kept_;
   std::vector<Config> handed_over_;     // what the runner was last given
   std::uint64_t creation_awaited_ = 0;  // the number of the command that makes what was asked for; 0: it is there
   std::optional<Before> before_opening_;
+  bool recovering_ = false;
   std::unique_ptr<Runner> runner_;
   std::shared_ptr<const Snapshot> snapshot_;
   std::unique_ptr<Session> session_;
   std::unique_ptr<Export> export_;
   bool export_reported_ = true;
+  std::shared_ptr<const Snapshot> exported_;  // what a checkpoint under way holds; null for other files
+  std::size_t exported_run_ = 0;
   std::vector<LostSession> lost_;
 };
 

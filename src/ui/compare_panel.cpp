@@ -22,7 +22,7 @@ class ComparePanel final : public Panel {
 
  private:
   static bool begin_table(const char* id, std::size_t runs);
-  static void draw_runs(Studio& studio);
+  static void draw_runs(Desk& desk);
   static void draw_differences(const Comparison& comparison);
   static void draw_numbers(const Snapshot& now);
 };
@@ -37,7 +37,8 @@ bool ComparePanel::begin_table(const char* id, std::size_t runs) {
   return true;
 }
 
-void ComparePanel::draw_runs(Studio& studio) {
+void ComparePanel::draw_runs(Desk& desk) {
+  Studio& studio = desk.studio;
   Comparison& comparison = studio.comparison();
   for (std::size_t run = 0; run < comparison.size(); ++run) {
     const std::string number = std::to_string(run + 1);
@@ -70,7 +71,7 @@ void ComparePanel::draw_runs(Studio& studio) {
   ImGui::SameLine();
   if (button("CREATE", {.tooltip = "Makes the terrains of all runs.",
                         .look = studio.create_needed() ? ButtonLook::accent : ButtonLook::plain})) {
-    studio.create();
+    desk.leave("CREATE", Leaves::land, [&studio] { studio.create(); });
   }
 }
 
@@ -121,7 +122,7 @@ void ComparePanel::draw_numbers(const Snapshot& now) {
 
 void ComparePanel::draw(Desk& desk) {
   Studio& studio = desk.studio;
-  draw_runs(studio);
+  draw_runs(desk);
   if (section("How they differ")) draw_differences(studio.comparison());
   if (section("Their numbers")) draw_numbers(studio.now());
 }

@@ -36,24 +36,22 @@ class FrameCounter {
   std::deque<Clock::time_point> times_;
 };
 
-// The list of widgets in a file, whole at any moment.
+// The list of widgets in a file, whole at any moment. Its first line counts the frames drawn, so that a test can wait
+// for those that follow its input.
 class MapFile {
  public:
   explicit MapFile(std::filesystem::path path) : path_(std::move(path)) {}
   void write(const WidgetMap& widgets) {
     if (path_.empty()) return;
-    std::string text = widgets.text();
-    if (text == written_) return;
     const std::filesystem::path draft = path_.string() + ".new";
-    std::ofstream(draft) << text;
+    std::ofstream(draft) << ++frames_ << "\n" << widgets.text();
     std::error_code ignored;
     std::filesystem::rename(draft, path_, ignored);
-    written_ = std::move(text);
   }
 
  private:
   std::filesystem::path path_;
-  std::string written_;
+  std::uint64_t frames_ = 0;
 };
 
 std::optional<RgbaImage> read_image(const std::filesystem::path& path) {
@@ -186,7 +184,7 @@ void Desktop::run() {
   try {
     window_.run({.draw = [this](int width, int height, float seconds) { draw(width, height, seconds); },
                  .busy = [this] { return busy(); },
-                 .may_close = [] { return true; },
+                 .close_wanted = [this] { shell_.quit(); },
                  .display_lost = [this] { return "the display is gone: " + studio_.rescue(); }});
   } catch (const std::exception& error) {
     // The window cannot go on, but what runs in it is whole.

@@ -18,7 +18,7 @@ struct DesktopRequest {
   /// Pixels; 0: as it was last time.
   int width = 0;
   int height = 0;
-  /// For tests: a file that lists where every widget lies, rewritten whenever that changes. Empty: none.
+  /// For tests: a file that counts the frames and lists where every widget lies, written with each frame. Empty: none.
   std::filesystem::path widget_map;
 };
 

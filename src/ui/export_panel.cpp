@@ -11,7 +11,7 @@ class ExportPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::export_files; }
   Dock dock() const override { return Dock::dialog; }
-  ImVec2 size() const override { return {560, 460}; }
+  ImVec2 size() const override { return {560, 560}; }
   void draw(Desk& desk) override;
 
  private:
@@ -70,7 +70,7 @@ void ExportPanel::draw(Desk& desk) {
                         .unavailable = busy ? "One file is being written." : "",
                         .look = ButtonLook::accent})) {
     file_.set_endings({format.ending});
-    file_.ask(studio.settings(), "dunes-" + std::to_string(studio.now().step()) + format.ending);
+    file_.ask(studio.settings(), studio.suggested_name("-" + std::to_string(studio.now().step()) + format.ending));
   }
   if (running != nullptr) draw_export(*running);
   if (const auto file = file_.draw(studio)) studio.start_export(*file, format.key);

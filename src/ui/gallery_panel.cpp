@@ -1,4 +1,6 @@
 // GALLERY: the presets with their pictures. One click and dunes grow.
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 #include "core/errors.h"
@@ -80,6 +82,16 @@ void draw_picture(Desk& desk, const Card& card, ImVec2 corner, ImVec2 end) {
                card.model.c_str());
 }
 
+/// Opens a preset and lets it run.
+void grow(Desk& desk, const std::filesystem::path& preset) {
+  if (desk.studio.open(preset)) {
+    desk.studio.runner().play();
+    desk.close(panel_title::gallery);
+  } else {
+    desk.open(panel_title::log);
+  }
+}
+
 bool GalleryPanel::draw_card(Desk& desk, const Card& card) const {
   const Gui& gui = Gui::current();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -93,10 +105,15 @@ bool GalleryPanel::draw_card(Desk& desk, const Card& card) const {
   list.AddRectFilled(corner, end, ImGui::GetColorU32(gui.theme().ground), gui.px(4));
   draw_picture(desk, card, corner, {end.x, corner.y + gui.px(picture_height)});
   const ImVec2 text{corner.x + gui.px(8), corner.y + gui.px(picture_height + 5)};
-  list.PushClipRect(corner, {end.x - gui.px(6), end.y}, true);
-  list.AddText(text, ImGui::GetColorU32(gui.theme().text), card.title.c_str());
-  list.AddText({text.x, text.y + line + gui.px(2)}, ImGui::GetColorU32(gui.theme().faint), card.model.c_str());
-  list.PopClipRect();
+  const auto write = [&](float top, const ImVec4& colour, const std::string& words) {
+    const float right = end.x - gui.px(8);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::RenderTextEllipsis(&list, {text.x, top}, {right, top + line}, right, right, words.data(),
+                              words.data() + words.size(), nullptr);
+    ImGui::PopStyleColor();
+  };
+  write(text.y, gui.theme().text, card.title);
+  write(text.y + line + gui.px(2), gui.theme().faint, card.model);
   list.AddRect(corner, end, ImGui::GetColorU32(hot ? gui.theme().accent : gui.theme().edge), gui.px(4), 0,
                hot ? gui.px(2) : 1.0f);
   tooltip(card.title + "\n" + card.description + "\n\nClick: it opens and grows.");
@@ -113,12 +130,7 @@ void GalleryPanel::draw_cards(Desk& desk, const std::string& folder) {
     if (column > 0) ImGui::SameLine(0, gui.px(card_gap));
     column = (column + 1) % columns;
     if (draw_card(desk, card)) {
-      if (desk.studio.open(card.preset.path)) {
-        desk.studio.runner().play();
-        desk.close(title());
-      } else {
-        desk.open(panel_title::log);
-      }
+      desk.leave("OPEN", Leaves::everything, [&desk, path = card.preset.path] { grow(desk, path); });
     }
     if (column == 0) ImGui::Dummy({1, gui.px(card_gap - 8)});
   }

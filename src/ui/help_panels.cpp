@@ -32,7 +32,7 @@ class KeysPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::keys; }
   Dock dock() const override { return Dock::dialog; }
-  ImVec2 size() const override { return {520, 560}; }
+  ImVec2 size() const override { return {520, 700}; }
   void draw(Desk& desk) override {
     for (std::size_t next = 0; next < desk.keys.size();) next = draw_keys(desk.keys, next);
     explain("In the panels: Shift while dragging snaps curve points and the wind's dial.");
@@ -43,7 +43,7 @@ class AboutPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::about; }
   Dock dock() const override { return Dock::dialog; }
-  ImVec2 size() const override { return {520, 300}; }
+  ImVec2 size() const override { return {520, 210}; }
   void draw(Desk& desk) override {
     heading("Erg " + desk.studio.provenance().version);
     say("Sand dunes and wind-blown snow, grown on a grid.", Gui::current().theme().text);

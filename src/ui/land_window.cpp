@@ -79,7 +79,11 @@ void LandWindow::take_wanted_view(const std::vector<LandPart>& lands) {
 void LandWindow::take_input(Desk& desk, WindowPart area) {
   const Snapshot& now = desk.studio.now();
   area_ = area;
+  const std::size_t parts_before = parts_.size();
   parts_ = split(area, now.runs.size());
+  // Beside others a run has less room than alone: all of it stays in sight.
+  const bool other_room = parts_before > 0 && parts_.size() != parts_before;
+  if (other_room && scenery_.wanted_view.empty()) scenery_.wanted_view = "frame";
   tool_ = desk.tool;
   desk.tool = LandTool::camera;  // a panel that wants another says so in every frame
   const std::vector<LandPart> all = lands(now);
@@ -196,8 +200,17 @@ void LandWindow::draw_reading(const Desk& desk, const LandPart& land) const {
   mark("reading", {place.x, place.y - gui.px(20)}, {place.x + gui.px(200), place.y});
 }
 
+/// Number and model of a run that is compared, and the first thing in which it differs from the others.
+static std::string caption(const Config& config, const std::vector<SetupDifference>& differences, std::size_t run) {
+  std::string text = std::to_string(run + 1) + "  " + find_model(config.model).info.title;
+  const auto first = std::ranges::find_if(differences, [](const SetupDifference& one) { return one.name != "model"; });
+  if (first != differences.end() && run < first->values.size()) text += "\n" + first->label + " " + first->values[run];
+  return text;
+}
+
 void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& all) const {
   const Theme& theme = Gui::current().theme();
+  const std::vector<SetupDifference> differences = desk.studio.comparison().differences();
   for (std::size_t index = 0; index < all.size(); ++index) {
     const WindowPart& part = all[index].part;
     const bool chosen = index == desk.studio.active();
@@ -205,10 +218,10 @@ void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& al
     ImGui::GetWindowDrawList()->AddRect(
         corner, {corner.x + static_cast<float>(part.width), corner.y + static_cast<float>(part.height)},
         ImGui::GetColorU32(chosen ? theme.accent : theme.edge), 0, 0, Gui::current().px(chosen ? 2.0f : 1.0f));
-    const Config& config = *all[index].run->config;
     const float middle = corner.x + 0.5f * static_cast<float>(part.width);
-    const std::string text = std::to_string(index + 1) + "  " + find_model(config.model).info.title;
-    draw_plate({middle - 0.5f * ImGui::CalcTextSize(text.c_str()).x, corner.y + Gui::current().px(34)}, text,
+    const std::string text = caption(*all[index].run->config, differences, index);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    draw_plate({middle - 0.5f * size.x, corner.y + size.y + Gui::current().px(18)}, text,
                chosen ? theme.accent : theme.text);
   }
 }
@@ -223,7 +236,6 @@ void LandWindow::draw_troubles(const Desk& desk) const {
     draw_plate({corner.x, low}, text, colour);
     low -= gui.px(28);
   };
-  for (const std::string& note : notes_) line(note, gui.theme().faint);
   if (now.activity == Activity::failed) {
     line("The land stands as it was before that step. Save it (Export, checkpoint) or Reset.", gui.theme().text);
     line("A step failed: " + now.message, gui.theme().lost);

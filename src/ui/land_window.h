@@ -28,8 +28,9 @@ class LandWindow {
   const std::vector<WindowPart>& parts() const { return parts_; }
   /// The camera is being moved.
   bool restless() const { return restless_; }
-  /// Notes of the renderer, shown over the land.
+  /// Notes of the renderer about how it drew.
   void set_notes(std::vector<std::string> notes) { notes_ = std::move(notes); }
+  const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   std::vector<LandPart> lands(const Snapshot& now) const;

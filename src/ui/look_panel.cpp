@@ -1,5 +1,7 @@
 #include "ui/look_panel.h"
 
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,10 +84,12 @@ class LookPanel final : public Panel {
   void draw_sun();
   void draw_camera();
   void draw_bookmarks(Desk& desk);
+  void keep_view(Log& log);
   void draw_extras(const Desk& desk);
 
   Scenery& scenery_;
   Bookmarks& bookmarks_;
+  std::string view_name_;
 };
 
 void LookPanel::draw(Desk& desk) {
@@ -188,26 +192,48 @@ void LookPanel::draw_camera() {
   }
 }
 
+void LookPanel::keep_view(Log& log) {
+  try {
+    bookmarks_.keep(view_name_, scenery_.camera.camera());
+    view_name_.clear();
+  } catch (const InputError& error) {
+    log.mistakes(error);
+  }
+}
+
 void LookPanel::draw_bookmarks(Desk& desk) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float third = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  ImGui::SetNextItemWidth(2 * third + gap);
+  ImGui::InputTextWithHint("##view name", ("name it, or " + bookmarks_.free_name()).c_str(), &view_name_);
+  mark("view name");
+  tooltip("The name under which the view is kept");
   ImGui::SameLine();
-  const float wide = (ImGui::GetContentRegionMax().x - ImGui::GetWindowContentRegionMin().x - 2 * gap) / 3;
-  if (button("Keep view", {.tooltip = "Keep where the camera stands now as a bookmark", .size = {wide, 0}})) {
-    try {
-      bookmarks_.keep(bookmarks_.free_name(), scenery_.camera.camera());
-    } catch (const InputError& error) {
-      desk.studio.log().mistakes(error);
-    }
+  const bool replaces = bookmarks_.has(view_name_);
+  if (button(replaces ? "Replace##keep" : "Keep view##keep",
+             {.tooltip = "Keeps where the camera stands now, for this land and others",
+              .name = "Keep view",
+              .size = {third, 0}})) {
+    keep_view(desk.studio.log());
   }
   std::string removed;
   for (const Bookmarks::Entry& entry : bookmarks_.entries()) {
     const WidgetScope scope(entry.name);
-    if (button(entry.name.c_str(), {.tooltip = "Back to this view", .look = ButtonLook::quiet})) {
+    const std::string file = bookmarks_.path_of(entry.name).string();
+    const float cross = ImGui::GetFrameHeight();
+    if (button(
+            (entry.name + "##go").c_str(),
+            {.tooltip = "Back to this view" + (file.empty() ? file : ". Its file, for erg render --camera:\n" + file),
+             .name = entry.name,
+             .look = ButtonLook::quiet,
+             .size = {ImGui::GetContentRegionAvail().x - cross - gap, 0}})) {
       scenery_.camera.set(entry.camera);
     }
     ImGui::SameLine();
-    if (button("\u2715##remove", {.tooltip = "Forget this view", .name = "remove", .look = ButtonLook::quiet}))
+    if (button("\u2715##remove",
+               {.tooltip = "Forget this view", .name = "remove", .look = ButtonLook::quiet, .size = {cross, 0}})) {
       removed = entry.name;
+    }
   }
   if (!removed.empty()) bookmarks_.remove(removed);
 }

@@ -57,6 +57,9 @@ struct Desk {
   /// Opens (or brings forward) the panel of this title; a dialog that is open stays open until closed.
   std::function<void(const std::string& title)> open;
   std::function<void(const std::string& title)> close;
+  /// Does `act`, which leaves behind what is open; where work would be lost, only once the person has answered what is
+  /// to become of it. `what` stands on the button that does it all the same: "QUIT". The desk outlives the question.
+  std::function<void(const std::string& what, Leaves leaves, std::function<void()> act)> leave;
   /// A picture for ImGui::Image: the PNG or JPEG at `path`, loaded once; null when it cannot be read, and in tests.
   std::function<ImTextureID(const std::filesystem::path& path)> picture;
   /// Every key and mouse movement of the window, from the one table that the menus are made of.

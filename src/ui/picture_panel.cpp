@@ -46,8 +46,8 @@ void PicturePanel::draw(Desk& desk) {
                                     .name = "save picture",
                                     .look = ButtonLook::accent,
                                     .size = {Gui::current().px(150), 0}})) {
-    const std::string stem = desk.studio.file().empty() ? "dunes" : desk.studio.file().stem().string();
-    browser_.ask(desk.studio.settings(), stem + "-" + std::to_string(desk.studio.now().step()) + ".png");
+    browser_.ask(desk.studio.settings(),
+                 desk.studio.suggested_name("-" + std::to_string(desk.studio.now().step()) + ".png"));
   }
   if (const auto chosen = browser_.draw(desk.studio)) {
     file_ = chosen->string();

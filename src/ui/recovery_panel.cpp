@@ -6,12 +6,21 @@
 namespace erg {
 namespace {
 
+void recover(Desk& desk, std::size_t index) {
+  if (desk.studio.recover(index)) {
+    desk.close(panel_title::recovery);
+    desk.close(panel_title::gallery);
+  } else {
+    desk.open(panel_title::log);
+  }
+}
+
 class RecoveryPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::recovery; }
   Dock dock() const override { return Dock::dialog; }
   bool wanted(const Desk& desk) const override { return !desk.studio.lost_sessions().empty(); }
-  ImVec2 size() const override { return {560, 260}; }
+  ImVec2 size() const override { return {560, 200}; }
   void draw(Desk& desk) override;
 
  private:
@@ -26,12 +35,7 @@ bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
   const std::string runs = lost.runs > 1 ? ", " + std::to_string(lost.runs) + " runs" : "";
   explain("step " + std::to_string(lost.step) + runs + ", saved " + lost.saved_at);
   if (button("RECOVER", {.tooltip = "Goes on from there, paused.", .look = ButtonLook::accent})) {
-    if (desk.studio.recover(index)) {
-      desk.close(panel_title::recovery);
-      desk.close(panel_title::gallery);
-    } else {
-      desk.open(panel_title::log);
-    }
+    desk.leave("RECOVER", Leaves::everything, [&desk, index] { recover(desk, index); });
     return true;
   }
   ImGui::SameLine();

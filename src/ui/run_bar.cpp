@@ -49,7 +49,7 @@ ImVec4 colour_of(Activity activity, const Theme& theme) {
   }
 }
 
-void status_item(const std::string& name, const std::string& text, const ImVec4& colour, const char* what) {
+void status_item(const std::string& name, const std::string& text, const ImVec4& colour, std::string_view what) {
   ImGui::TextColored(colour, "%s", text.c_str());
   mark(name);
   tooltip(what);
@@ -199,7 +199,7 @@ void RunBar::draw_progress(const Snapshot& now) const {
   mark("clock");
 }
 
-bool draw_status(Studio& studio, float frames_per_second) {
+bool draw_status(Studio& studio, float frames_per_second, const std::vector<std::string>& notes) {
   const WidgetScope scope("STATUS");
   const Theme& theme = Gui::current().theme();
   const Snapshot& now = studio.now();
@@ -207,16 +207,20 @@ bool draw_status(Studio& studio, float frames_per_second) {
   if (!now.message.empty()) state += ": " + now.message;
   status_item("state", state, colour_of(now.activity, theme), "What the simulation is doing");
   if (const RunSnapshot* const run = studio.active_run()) {
-    status_item("steps", short_number(now.steps_per_second) + " steps/s", theme.text, "Steps done in the last second");
-    status_item("polls", short_number(now.polls_per_second) + " polls/s", theme.text,
-                "Cells asked for a slab in the last second, all runs together");
+    if (now.activity == Activity::running) {
+      status_item("steps", short_number(now.steps_per_second) + " steps/s", theme.text,
+                  "Steps done in the last second");
+      status_item("polls", short_number(now.polls_per_second) + " polls/s", theme.text,
+                  "Cells asked for a slab in the last second, all runs together");
+    }
     status_item("executor", run->executor_text(), theme.text, "What does the work");
     const std::int64_t drift = run->mass_drift();
     status_item("drift", "mass drift " + std::to_string(drift), drift == 0 ? theme.text : theme.lost,
                 "Slabs on the ground beyond what the account says: start + in - out. It is 0, always.");
   }
-  status_item("frames", format("%.0f frames/s", static_cast<double>(frames_per_second)), theme.text,
-              "Pictures of the window in the last second. At rest it draws none, which costs nothing.");
+  std::string frames = "Pictures of the window in the last second. At rest it draws none, which costs nothing.";
+  for (const std::string& note : notes) frames += "\nJust now " + note + ".";
+  status_item("frames", format("%.0f frames/s", static_cast<double>(frames_per_second)), theme.text, frames);
   return draw_log_item(studio.log());
 }
 

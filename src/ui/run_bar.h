@@ -27,6 +27,6 @@ void play_or_pause(Runner& runner, const Snapshot& now);
 std::string why_no_step(const Snapshot& now);
 
 /// The status line in the current ImGui window. True when its log entry was pressed.
-bool draw_status(Studio& studio, float frames_per_second);
+bool draw_status(Studio& studio, float frames_per_second, const std::vector<std::string>& notes);
 
 }  // namespace erg

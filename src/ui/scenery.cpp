@@ -22,13 +22,24 @@ Bookmarks::Bookmarks(fs::path folder) : folder_(std::move(folder)) {
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.name < b.name; });
 }
 
-fs::path Bookmarks::path_of(const std::string& name) const {
-  std::string file = name;
-  std::replace(file.begin(), file.end(), '/', '-');
-  return folder_ / (file + ".json");
+std::string Bookmarks::plain(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '-');
+  name.erase(0, name.find_first_not_of(' '));
+  name.erase(name.find_last_not_of(' ') + 1);
+  return name;
 }
 
-void Bookmarks::keep(const std::string& name, const Camera& camera) {
+fs::path Bookmarks::path_of(const std::string& name) const {
+  return folder_.empty() ? fs::path() : folder_ / (plain(name) + ".json");
+}
+
+bool Bookmarks::has(const std::string& name) const {
+  return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.name == plain(name); });
+}
+
+void Bookmarks::keep(const std::string& wanted, const Camera& camera) {
+  std::string name = plain(wanted);
+  if (name.empty()) name = free_name();
   if (!folder_.empty()) {
     std::error_code error;
     fs::create_directories(folder_, error);
@@ -51,9 +62,7 @@ void Bookmarks::remove(const std::string& name) {
 std::string Bookmarks::free_name() const {
   for (int number = 1;; ++number) {
     const std::string name = "view " + std::to_string(number);
-    const bool taken =
-        std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.name == name; });
-    if (!taken) return name;
+    if (!has(name)) return name;
   }
 }
 

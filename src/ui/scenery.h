@@ -31,14 +31,18 @@ class Bookmarks {
     Camera camera;
   };
   const std::vector<Entry>& entries() const { return entries_; }
-  /// Adds or replaces. Throws InputError when it cannot be written.
+  /// Adds or replaces; without a name it gets free_name(). Throws InputError when it cannot be written.
   void keep(const std::string& name, const Camera& camera);
+  bool has(const std::string& name) const;
   void remove(const std::string& name);
   /// "view 1", "view 2" ...: the first that is free.
   std::string free_name() const;
+  /// The file of one, which `erg render --camera` takes; empty where nothing is kept.
+  std::filesystem::path path_of(const std::string& name) const;
 
  private:
-  std::filesystem::path path_of(const std::string& name) const;
+  /// As a file may be called: without '/' and without spaces around.
+  static std::string plain(std::string name);
 
   std::filesystem::path folder_;
   std::vector<Entry> entries_;

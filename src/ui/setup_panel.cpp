@@ -35,7 +35,7 @@ class SetupPanel final : public Panel {
 
  private:
   static void draw_run_choice(Studio& studio);
-  static void draw_buttons(Studio& studio, const Config* running);
+  static void draw_buttons(Desk& desk, const Config* running);
   static void draw_model(Setup& setup);
   void draw_groups(Setup& setup, const Config* running, const Settings& settings);
   static void draw_seed(Setup& setup);
@@ -57,7 +57,8 @@ void SetupPanel::draw_run_choice(Studio& studio) {
   }
 }
 
-void SetupPanel::draw_buttons(Studio& studio, const Config* running) {
+void SetupPanel::draw_buttons(Desk& desk, const Config* running) {
+  Studio& studio = desk.studio;
   const std::vector<Mistake> mistakes = studio.setup().mistakes();
   const bool needed = studio.create_needed();
   const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
@@ -65,7 +66,7 @@ void SetupPanel::draw_buttons(Studio& studio, const Config* running) {
                         .unavailable = mistakes.empty() ? "" : "Something stands against it; see below.",
                         .look = needed ? ButtonLook::accent : ButtonLook::plain,
                         .size = {half, 0}})) {
-    studio.create();
+    desk.leave("CREATE", Leaves::land, [&studio] { studio.create(); });
   }
   ImGui::SameLine();
   if (button("RESET DEFAULT",
@@ -134,7 +135,7 @@ void SetupPanel::draw(Desk& desk) {
   Studio& studio = desk.studio;
   const Config* running = running_config(studio);
   draw_run_choice(studio);
-  draw_buttons(studio, running);
+  draw_buttons(desk, running);
   draw_model(studio.setup());
   draw_groups(studio.setup(), running, studio.settings());
   if (const auto file = picture_.draw(studio)) studio.setup().set("scene", "image", file->string());

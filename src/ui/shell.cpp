@@ -40,6 +40,8 @@ Shell::Shell(Studio& studio, Stage& stage, Gui& gui)
             .marks = {},
             .open = [this](const std::string& title) { open(title); },
             .close = [this](const std::string& title) { close(title); },
+            .leave = [this](const std::string& what, Leaves leaves,
+                            std::function<void()> act) { leave(what, leaves, std::move(act)); },
             .picture = [&stage](const std::filesystem::path& path) { return stage.picture(path); },
             .keys = {}} {
   panels_ = make_panels();
@@ -49,6 +51,7 @@ Shell::Shell(Studio& studio, Stage& stage, Gui& gui)
       std::find_if(panels_.begin(), panels_.end(), [](const auto& p) { return p->dock() == Dock::right; });
   std::rotate(first, panels_.end() - 1, panels_.end());
   panels_.push_back(make_picture_panel([&stage](const PictureOrder& order) { stage.save_picture(order); }));
+  panels_.push_back(make_unsaved_panel(parting_));
   make_actions();
   desk_.keys = key_help(actions_);
   apply_settings();
@@ -61,8 +64,7 @@ void Shell::apply_settings() {
   if ((gui_.theme().kind == ThemeKind::dark) != settings.dark) {
     gui_.set_theme(settings.dark ? ThemeKind::dark : ThemeKind::light);
   }
-  constexpr double screen_of_scale_1 = 1080;
-  const double own = std::clamp(std::round(2 * stage_.screen_height() / screen_of_scale_1) / 2, 1.0, 3.0);
+  const double own = scale_of_screen(stage_.screen_height());
   gui_.set_scale(static_cast<float>(settings.scale > 0 ? settings.scale : own));
 }
 
@@ -88,6 +90,16 @@ void Shell::open(const std::string& title) {
 }
 
 void Shell::close(const std::string& title) { std::erase(open_dialogs_, title); }
+
+void Shell::leave(const std::string& what, Leaves leaves, std::function<void()> act) {
+  if (!studio_.unsaved_work(leaves)) return act();
+  parting_ = Parting{what, leaves, std::move(act)};
+  open(unsaved_title);
+}
+
+void Shell::quit() {
+  leave("QUIT", Leaves::everything, [this] { stage_.close(); });
+}
 
 bool Shell::is_open(const std::string& title) const {
   return std::find(open_dialogs_.begin(), open_dialogs_.end(), title) != open_dialogs_.end();
@@ -200,13 +212,18 @@ void Shell::draw_foot(float top, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin("##foot", nullptr, fixed | ImGuiWindowFlags_NoScrollbar);
   run_bar_.draw(studio_);
-  if (draw_status(studio_, stage_.frames_per_second())) open(panel_title::log);
+  if (draw_status(studio_, stage_.frames_per_second(), land_.notes())) open(panel_title::log);
   ImGui::End();
   ImGui::PopStyleVar();
 }
 
 void Shell::draw_dialogs() {
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  // Escape closes the dialog that has the keyboard; when none has it, the one opened last.
+  const bool escape = ImGui::IsKeyPressed(keys::escape, false) && !ImGui::IsAnyItemActive() && !popup_was_open_;
+  popup_was_open_ = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+  const std::string last = dialog_has_keys_ || open_dialogs_.empty() ? std::string() : open_dialogs_.back();
+  dialog_has_keys_ = false;
   for (const auto& panel : panels_) {
     if (panel->dock() != Dock::dialog || !is_open(panel->title())) continue;
     const ImVec2 size = panel->size();
@@ -221,10 +238,10 @@ void Shell::draw_dialogs() {
       const WidgetScope scope(panel->title());
       if (shown) panel->draw(desk_);
     }
-    const bool escaped = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && !ImGui::IsAnyItemActive() &&
-                         ImGui::IsKeyPressed(keys::escape, false);
+    const bool has_keys = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+    dialog_has_keys_ = dialog_has_keys_ || has_keys;
     ImGui::End();
-    if (!stays || escaped) close(panel->title());
+    if (!stays || (escape && (has_keys || panel->title() == last))) close(panel->title());
   }
   to_front_.clear();
 }

@@ -14,6 +14,7 @@
 #include "ui/panel.h"
 #include "ui/run_bar.h"
 #include "ui/scenery.h"
+#include "ui/unsaved_panel.h"
 
 namespace erg {
 
@@ -61,6 +62,10 @@ class Shell {
   void open(const std::string& title);
   void close(const std::string& title);
   bool is_open(const std::string& title) const;
+  /// Desk::leave.
+  void leave(const std::string& what, Leaves leaves, std::function<void()> act);
+  /// Closes the window, after the question about work that would be lost.
+  void quit();
 
  private:
   void make_actions();
@@ -88,8 +93,12 @@ class Shell {
   std::vector<std::unique_ptr<Panel>> panels_;
   std::vector<std::string> open_dialogs_;
   std::string to_front_;
+  std::optional<Parting> parting_;
   std::vector<Action> actions_;
   bool columns_shown_ = true;
+  // In the last frame:
+  bool dialog_has_keys_ = false;
+  bool popup_was_open_ = false;
 };
 
 }  // namespace erg

@@ -11,13 +11,6 @@ namespace {
 
 constexpr int f(int number) { return keys::function + number; }
 
-bool is_below(const std::filesystem::path& file, const std::filesystem::path& folder) {
-  if (folder.empty()) return false;
-  std::error_code ignored;
-  const std::filesystem::path way = std::filesystem::relative(file, folder, ignored);
-  return !way.empty() && *way.begin() != "..";
-}
-
 }  // namespace
 
 void Shell::make_actions() {
@@ -34,11 +27,10 @@ void Shell::make_file_actions() {
   const auto shows = [this](const char* title) { return [this, title] { open(title); }; };
   const auto nothing = [this] { return why_nothing_to_save(); };
   const auto save = [this] {
-    // Presets are there to start from: they are not written over.
-    if (studio_.file().extension() != ".json" || is_below(studio_.file(), studio_.folders().presets)) {
+    if (!studio_.has_own_file()) {
       open(panel_title::save);
-    } else {
-      studio_.save_config(studio_.file());
+    } else if (!studio_.save_config(studio_.file())) {
+      open(panel_title::log);
     }
   };
   actions_.push_back({"File", "Gallery", 'G', false, shows(panel_title::gallery)});
@@ -54,12 +46,8 @@ void Shell::make_file_actions() {
                       .line_above = true});
   actions_.push_back(
       {.menu = "File", .label = "Picture\u2026", .key = f(12), .act = shows(picture_title), .unavailable = nothing});
-  actions_.push_back({.menu = "File",
-                      .label = "Quit",
-                      .key = 'Q',
-                      .ctrl = true,
-                      .act = [this] { stage_.close(); },
-                      .line_above = true});
+  actions_.push_back(
+      {.menu = "File", .label = "Quit", .key = 'Q', .ctrl = true, .act = [this] { quit(); }, .line_above = true});
   actions_.push_back(
       {.menu = "Edit",
        .label = "Undo",
@@ -141,7 +129,7 @@ void Shell::make_run_actions() {
                       .label = "Create",
                       .key = 'N',
                       .ctrl = true,
-                      .act = [this] { studio_.create(); },
+                      .act = [this] { leave("CREATE", Leaves::land, [this] { studio_.create(); }); },
                       .line_above = true});
 }
 

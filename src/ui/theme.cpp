@@ -1,6 +1,8 @@
 #include "ui/theme.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 namespace erg {
@@ -135,6 +137,11 @@ void apply_theme(const Theme& theme, float scale) {
   style.ScaleAllSizes(scale);
   set_colours(theme, style);
   ImGui::GetStyle() = style;
+}
+
+double scale_of_screen(int height) {
+  constexpr double screen_of_scale_1 = 1080;
+  return std::clamp(std::round(2 * height / screen_of_scale_1) / 2, 1.0, 3.0);
 }
 
 std::string interface_font() {

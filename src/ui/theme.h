@@ -35,6 +35,9 @@ struct Theme {
 inline constexpr float text_size = 15;
 inline constexpr float heading_size = 17;
 
+/// How many times its usual size an interface is made for a screen of so many pixels from top to bottom.
+double scale_of_screen(int height);
+
 /// Makes ImGui's style that of the theme, for an interface this many times its usual size.
 void apply_theme(const Theme& theme, float scale);
 

@@ -228,7 +228,7 @@ RowEvent integer_row(const Row& row, std::int64_t& value, std::int64_t minimum, 
     ImGui::SliderScalar("##value", ImGuiDataType_S64, &entered, &minimum, &maximum, with_unit("%lld", row.unit).c_str(),
                         slider_flags(static_cast<double>(minimum), static_cast<double>(maximum)));
   } else {
-    ImGui::InputScalar("##value", ImGuiDataType_S64, &entered, nullptr, nullptr, "%lld");
+    ImGui::InputScalar("##value", ImGuiDataType_S64, &entered, nullptr, nullptr, with_unit("%lld", row.unit).c_str());
     if (minimum < maximum) entered = std::clamp(entered, minimum, maximum);
   }
   const bool changed = entered != value;

@@ -29,7 +29,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int frame_milliseconds = 15;  // while busy: no more than about 60 frames a second
 constexpr int rest_milliseconds = 50;   // at rest: how often the program is asked whether it is busy
-constexpr int settling_frames = 3;      // after input: what appears may take ImGui so many frames
+constexpr double usual_width = 1280;    // pixels at scale 1
+constexpr double usual_height = 800;
+constexpr int settling_frames = 3;  // after input: what appears may take ImGui so many frames
 
 constexpr const char* remedy_display =
     "start it from a desktop, or over ssh with -X; without a display `erg run` grows dunes and `erg render` draws them";
@@ -60,14 +62,23 @@ int take_x_error(::Display* display, XErrorEvent* event) {
 
 void ignore_warning(const char*, va_list, void*) {}
 
-void look_for_display() {
+/// Held until the window has its own: a display that is its last client's to keep goes with that client.
+using Connection = std::unique_ptr<Display, decltype(&XCloseDisplay)>;
+
+Connection look_for_display() {
   const char* const name = std::getenv("DISPLAY");
   if (name == nullptr || *name == '\0') throw InputError("DISPLAY", "is not set: there is no screen", remedy_display);
-  Display* const display = XOpenDisplay(nullptr);
+  Connection display(XOpenDisplay(nullptr), XCloseDisplay);
   if (display == nullptr) {
     throw InputError("DISPLAY", "nothing answers at " + in_quotes(name), remedy_display);
   }
-  XCloseDisplay(display);
+  return display;
+}
+
+/// A side of the window: as wanted (0: as usual at the screen's scale), but no longer than the screen's.
+int on_screen(int wanted, double usual, int screen) {
+  const double side = wanted > 0 ? wanted : usual * scale_of_screen(glutGet(GLUT_SCREEN_HEIGHT));
+  return screen > 0 ? std::min(static_cast<int>(side), screen) : static_cast<int>(side);
 }
 
 int place_of_special(int key) {
@@ -229,15 +240,14 @@ void Window::Hidden::install() {
   glutWMCloseFuncUcall(
       [](void* data) {
         auto* const hidden = static_cast<Hidden*>(data);
-        hidden->guarded([&] {
-          if (hidden->events.may_close()) hidden->leave();
-        });
+        hidden->guarded([&] { hidden->events.close_wanted(); });
+        hidden->wake();
       },
       this);
 }
 
 Window::Window(const WindowOptions& options) {
-  look_for_display();
+  const Connection connection = look_for_display();
   int count = 1;
   char name[] = "erg";
   char* arguments[] = {name, nullptr};
@@ -249,14 +259,16 @@ Window::Window(const WindowOptions& options) {
   glutInitContextProfile(GLUT_CORE_PROFILE);
   glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA);
   glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
-  glutInitWindowSize(options.width, options.height);
+  const int width = on_screen(options.width, usual_width, glutGet(GLUT_SCREEN_WIDTH));
+  const int height = on_screen(options.height, usual_height, glutGet(GLUT_SCREEN_HEIGHT));
+  glutInitWindowSize(width, height);
   const int handle = glutCreateWindow(options.title.c_str());
   XSetErrorHandler(usual);
   load_gl();
   hidden_ = std::make_unique<Hidden>();
   hidden_->handle = handle;
-  hidden_->width = options.width;
-  hidden_->height = options.height;
+  hidden_->width = width;
+  hidden_->height = height;
   driver_ = reinterpret_cast<const char*>(gl11().GetString(GL_RENDERER));
 }
 

@@ -9,8 +9,8 @@ namespace erg {
 
 struct WindowOptions {
   std::string title = "Erg";
-  int width = 1280;  ///< pixels
-  int height = 800;  ///< pixels
+  int width = 0;  ///< pixels, at most the screen's; 0: as suits the screen
+  int height = 0;
 };
 
 /// What the window asks of the program that lives in it.
@@ -20,8 +20,8 @@ struct WindowEvents {
   /// Whether something changes by itself, so that frames should follow each other at once; otherwise the window rests
   /// until there is input, and asks again a few times a second.
   std::function<bool()> busy;
-  /// The person wants to close the window. True: it goes.
-  std::function<bool()> may_close;
+  /// The person wants to close the window: Window::close() does it, now or after a question.
+  std::function<void()> close_wanted;
   /// The display is gone, and with it the window. Save what there is; the words returned are the last that are said.
   /// Runs in the midst of anything the window's thread was doing; the program ends right after.
   std::function<std::string()> display_lost;

@@ -172,6 +172,23 @@ TEST(Failure, OfAStepStopsTheRunsAndKeepsTheTerrain) {
   EXPECT_EQ(runner.snapshot()->runs[1].step, 20);
 }
 
+TEST_F(EditsTest, AnotherConfigShowsTheSameTerrainWithoutACopy) {
+  runner.create({small_config()});
+  runner.run(3);
+  const auto before = still();
+  Config config = small_config();
+  config.parameters.set("p_sand", 0.5);
+  runner.change({config});
+  const auto after = still();
+  EXPECT_EQ(after->runs[0].config->parameters.real("p_sand"), 0.5);
+  EXPECT_EQ(after->runs[0].terrain, before->runs[0].terrain);
+  EXPECT_EQ(after->runs[0].terrain_version, before->runs[0].terrain_version);
+  // Taken back and changed at once, it is another terrain.
+  runner.reset();
+  runner.change({small_config()});
+  EXPECT_NE(still()->runs[0].terrain_version, before->runs[0].terrain_version);
+}
+
 TEST_F(EditsTest, PaintingBeyondTheHighestGroundIsRefused) {
   runner.create({small_config()});
   const std::uint64_t before = hash();
@@ -229,6 +246,7 @@ TEST_F(EditsTest, ComparedRunsGoByOneClock) {
   ASSERT_EQ(now->runs.size(), 2u);
   for (std::size_t run = 0; run < 2; ++run) {
     EXPECT_EQ(now->runs[run].step, 9);
+    EXPECT_EQ(now->runs[run].series->last_step(), 9) << "the numbers at rest are those of what is seen";
     Simulation alone(run == 0 ? first : second);
     for (int step = 0; step < 9; ++step) alone.step();
     EXPECT_EQ(hash(run), state_hash(alone.terrain()));

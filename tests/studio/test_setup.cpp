@@ -69,6 +69,22 @@ TEST(Setup, RowsTellWhatIsChangedPendingAndRelevant) {
   EXPECT_EQ(setup.config(), running);
 }
 
+TEST(Setup, EachModelBeginsWhereItsFormsComeOut) {
+  erg::Setup setup;
+  setup.choose_model("grains");
+  EXPECT_EQ(setup.config().grid.real("cell_size"), 0.01);
+  EXPECT_EQ(setup.config().wind.seasons.front().first, 10);
+  setup.set("grid", "cell_size", 0.02);
+  setup.choose_model("snow_sintering");
+  EXPECT_EQ(setup.config().grid.real("cell_size"), 0.02) << "what was set stays";
+  EXPECT_EQ(setup.config().wind.seasons.front().last, 11);
+  setup.reset_all();
+  EXPECT_EQ(setup.config().grid.real("cell_size"), 0.1);
+  setup.set("grid", "cell_size", 0.1);
+  setup.choose_model("momiji");
+  EXPECT_EQ(setup.config(), Config("momiji"));
+}
+
 TEST(Setup, TypedTextThatIsNoValueIsRefusedWithARemedy) {
   erg::Setup setup;
   const auto mistake = setup.set_text("grid", "nx", "many");

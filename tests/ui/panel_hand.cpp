@@ -31,9 +31,10 @@ PanelHand::PanelHand(std::unique_ptr<Panel> panel, const std::function<void(cons
 void PanelHand::draw() {
   if (studio.settings().last_folder.empty()) studio.settings().last_folder = folder.path().string();
   studio.tick();
-  Desk desk{studio, land, LandTool::camera, {}, {}, {}, {}, {}};
+  Desk desk{studio, land, LandTool::camera, {}, {}, {}, {}, {}, {}};
   desk.open = [this](const std::string& title) { opened.push_back(title); };
   desk.close = [this](const std::string& title) { closed.push_back(title); };
+  desk.leave = [](const std::string&, Leaves, const std::function<void()>& act) { act(); };
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size_of(*panel_));
   ImGui::Begin(panel_->title(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);

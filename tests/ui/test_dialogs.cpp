@@ -129,7 +129,7 @@ TEST(LogPanel, FiltersByLevelCopiesAndClears) {
 
 TEST(RecoveryPanel, ShowsNothingAfterAnOrderlyEnd) {
   PanelHand panel(make_recovery_panel());
-  const Desk desk{panel.studio, {}, LandTool::camera, {}, {}, {}, {}, {}};
+  const Desk desk{panel.studio, {}, LandTool::camera, {}, {}, {}, {}, {}, {}};
   EXPECT_FALSE(make_recovery_panel()->wanted(desk));
 }
 

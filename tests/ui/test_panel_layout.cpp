@@ -7,9 +7,12 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "flat_stage.h"
 #include "io/image.h"
 #include "panel_hand.h"
 #include "picture_of_gui.h"
+#include "ui/look_panel.h"
+#include "ui/picture_panel.h"
 
 namespace erg::test {
 namespace {
@@ -66,7 +69,13 @@ void look_at(PanelHand& panel, const char* title) {
 }
 
 TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
-  for (std::unique_ptr<Panel>& made : make_panels()) {
+  Scenery scenery;
+  Bookmarks bookmarks{std::filesystem::path()};
+  bookmarks.keep("over the lee", {});
+  std::vector<std::unique_ptr<Panel>> panels = make_panels();
+  panels.push_back(make_look_panel(scenery, bookmarks));
+  panels.push_back(make_picture_panel([](const PictureOrder&) {}));
+  for (std::unique_ptr<Panel>& made : panels) {
     const std::string title = made->title();
     PanelHand panel(std::move(made));
     grow(panel);
@@ -74,6 +83,11 @@ TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
       panel.hand.click("PICK TWO POINTS");
       panel.click_land({4, 60});
       panel.click_land({124, 70});
+    }
+    if (title == "TEMPERATURE") {
+      panel.studio.setup().choose_model("snow_packing");
+      panel.studio.setup().set_temperatures(-20, -2);
+      panel.studio.setup().set_temperature_curve({{0.5, 0.05}, {0.6, 0.9}});
     }
     if (title == "COMPARE") {
       panel.hand.click("ADD A COPY");
@@ -84,6 +98,72 @@ TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
       panel.settle();
     }
     look_at(panel, title.c_str());
+  }
+}
+
+/// The whole interface over a flat land, with a session that a crash left.
+struct WholeWindow {
+  explicit WholeWindow(float scale) : studio(folders()), hand([this] { draw(); }, {1280 * scale, 800 * scale}, scale) {
+    studio.settings().scale = scale;
+    shell = std::make_unique<Shell>(studio, stage, hand.gui());
+    Config config = small_config();
+    config.title = "Barchan field";
+    studio.setup().replace(config);
+    studio.create();
+    studio.runner().wait_until_still();
+    hand.frames(3);
+  }
+  ~WholeWindow() { shell.reset(); }
+
+  StudioFolders folders() {
+    const StudioFolders all{folder / "settings", folder / "state", {}};
+    Studio crashed(all);
+    crashed.setup().set_title("Star dunes");
+    crashed.create();
+    crashed.runner().run(3);
+    crashed.runner().wait_until_still();
+    crashed.rescue();
+    return all;
+  }
+  void draw() {
+    studio.tick();
+    if (shell) shell->draw();
+  }
+  /// How far a window's content reaches beyond what is seen of it, pixels.
+  static float hidden(const std::string& window) { return ImGui::FindWindowByName(window.c_str())->ScrollMax.x; }
+  void look_at(const std::string& title) {
+    hand.move({-1, -1});
+    hand.frames(4);
+    EXPECT_LE(hidden(title), 1) << title << " is cut off at scale " << hand.gui().scale();
+    const char* const pictures = std::getenv("ERG_PICTURES");
+    if (pictures == nullptr || hand.gui().scale() != 1) return;
+    const ImGuiWindow* window = ImGui::FindWindowByName(title.c_str());
+    RgbImage picture(static_cast<int>(window->Size.x), static_cast<int>(window->Size.y));
+    picture.paste(picture_of_gui(hand.gui(), ImGui::GetIO().DisplaySize), -static_cast<int>(window->Pos.x),
+                  -static_cast<int>(window->Pos.y));
+    write_png(std::filesystem::path(pictures) / file_name(title), picture, {});
+  }
+
+  TemporaryFolder folder;
+  Studio studio;
+  FlatStage stage;
+  std::unique_ptr<Shell> shell;
+  UiHarness hand;
+};
+
+TEST(PanelLayout, NoDialogAndNoColumnIsCutOffAtAnyScale) {
+  for (const float scale : {1.0f, 1.5f, 2.0f}) {
+    WholeWindow window(scale);
+    EXPECT_LE(WholeWindow::hidden("##left"), 1) << scale;
+    EXPECT_LE(WholeWindow::hidden("##right"), 1) << scale;
+    for (const char* title : {panel_title::keys, panel_title::about, panel_title::recovery, picture_title}) {
+      window.shell->open(title);
+      window.look_at(title);
+      window.shell->close(title);
+      window.hand.frames(2);
+    }
+    window.shell->quit();
+    window.look_at(unsaved_title);
   }
 }
 

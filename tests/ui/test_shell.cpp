@@ -5,6 +5,8 @@
 
 #include "flat_stage.h"
 #include "harness.h"
+#include "io/camera_file.h"
+#include "io/config_file.h"
 #include "panel_hand.h"
 #include "ui/look_panel.h"
 #include "ui/picture_panel.h"
@@ -109,6 +111,9 @@ TEST_F(ShellHand, MenusOpenDialogsAndEscapeClosesThem) {
   EXPECT_FALSE(shell->is_open("EXPORT"));
   hand.key(keys::function + 1);
   EXPECT_TRUE(shell->is_open("KEYS"));
+  hand.click("RUN/step");  // the keyboard is elsewhere now
+  hand.key(keys::escape);
+  EXPECT_FALSE(shell->is_open("KEYS"));
 }
 
 TEST_F(ShellHand, TheMenusReachTheViewModel) {
@@ -123,7 +128,73 @@ TEST_F(ShellHand, TheMenusReachTheViewModel) {
   EXPECT_NE(studio.settings().dark, dark);
   hand.click("menu File");
   hand.click("menu File/Quit");
+  EXPECT_TRUE(shell->is_open("UNSAVED")) << "this setup is in no file";
+  hand.click("WITHOUT SAVING");
   EXPECT_TRUE(stage.closed);
+}
+
+TEST_F(ShellHand, WithEverythingInAFileItQuitsAtOnce) {
+  write_config(folder / "mine.json", small_config());
+  ASSERT_TRUE(studio.open(folder / "mine.json"));
+  settle();
+  hand.shortcut('Q');
+  EXPECT_TRUE(stage.closed);
+}
+
+TEST_F(ShellHand, QuittingWithAnUnsavedSetupAsksFirst) {
+  write_config(folder / "mine.json", small_config());
+  ASSERT_TRUE(studio.open(folder / "mine.json"));
+  settle();
+  studio.setup().set_title("changed");
+  shell->quit();
+  hand.frames(3);
+  EXPECT_FALSE(stage.closed);
+  hand.click("UNSAVED/CANCEL");
+  EXPECT_FALSE(shell->is_open("UNSAVED"));
+  EXPECT_FALSE(stage.closed);
+  hand.shortcut('Q');
+  hand.frames(3);
+  hand.key(keys::escape);
+  EXPECT_FALSE(stage.closed);
+  hand.shortcut('Q');
+  hand.frames(3);
+  hand.click("UNSAVED/SAVE");
+  hand.frames(3);
+  EXPECT_TRUE(stage.closed);
+  EXPECT_EQ(read_config(folder / "mine.json").title, "changed");
+}
+
+TEST_F(ShellHand, AnUnsavedSetupWithoutAFileAsksForOne) {
+  studio.settings().last_folder = folder.path().string();
+  create();
+  shell->quit();
+  hand.frames(3);
+  hand.click("UNSAVED/SAVE");
+  hand.frames(3);
+  EXPECT_FALSE(stage.closed);
+  hand.enter("SAVE THE SETUP/name", "new");
+  hand.frames(3);
+  EXPECT_TRUE(stage.closed);
+  EXPECT_EQ(read_config(folder / "new.json"), small_config());
+}
+
+TEST_F(ShellHand, CreatingOverAPaintedLandAsksFirst) {
+  studio.settings().last_folder = folder.path().string();
+  create();
+  studio.runner().paint(0, {.x = 10.5, .y = 10.5, .radius = 3, .amount = 9}, 1);
+  settle();
+  const std::uint64_t painted = state_hash(*now().runs[0].terrain);
+  hand.shortcut('N');
+  settle();
+  EXPECT_EQ(state_hash(*now().runs[0].terrain), painted);
+  hand.click("UNSAVED/SAVE");
+  hand.frames(3);
+  hand.enter("SAVE THE LAND/name", "painted");
+  constexpr int patience = 2000;
+  for (int frame = 0; frame < patience && shell->is_open("UNSAVED"); ++frame) hand.frames();
+  settle();
+  EXPECT_NE(state_hash(*now().runs[0].terrain), painted);
+  EXPECT_EQ(state_hash(read_checkpoint(folder / "painted.checkpoint").state.terrain), painted);
 }
 
 TEST_F(ShellHand, TheLookPanelChangesTheLook) {
@@ -165,7 +236,30 @@ TEST_F(ShellHand, AViewIsKeptAndComesBack) {
   EXPECT_FALSE(shell->scenery().camera.camera() == kept);
   hand.click("view 1/view 1");
   EXPECT_TRUE(shell->scenery().camera.camera() == kept);
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "settings" / "views" / "view 1.json"));
+  EXPECT_EQ(read_camera(folder / "settings/views/view 1.json"), kept);
+}
+
+TEST_F(ShellHand, AViewIsKeptUnderItsNameReplacedAndForgotten) {
+  create();
+  hand.click("LOOK/Top");
+  const std::filesystem::path file = folder / "settings/views/lee-side.json";
+  const auto keep = [&] {
+    hand.click("view name");
+    hand.type("lee/side");
+    hand.click("LOOK/Keep view");
+  };
+  keep();
+  EXPECT_TRUE(read_camera(file).orthographic);
+  hand.click("LOOK/Side");
+  keep();
+  EXPECT_EQ(read_camera(file), shell->scenery().camera.camera());
+  EXPECT_EQ(Bookmarks(folder / "settings/views").entries().size(), 1u) << "the next start finds it";
+  hand.click("LOOK/Block");
+  hand.click("lee-side/lee-side");
+  EXPECT_EQ(shell->scenery().camera.camera(), read_camera(file));
+  hand.click("lee-side/remove");
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_FALSE(hand.has("lee-side/lee-side"));
 }
 
 TEST_F(ShellHand, TheMouseTurnsShiftsAndNearsTheLand) {

@@ -9,7 +9,7 @@ namespace {
 TEST(TemperaturePanel, IsWantedForSnowOnly) {
   PanelHand panel(make_wind_panel());
   const auto temperature = make_temperature_panel();
-  const Desk desk{panel.studio, {}, LandTool::camera, {}, {}, {}, {}, {}};
+  const Desk desk{panel.studio, {}, LandTool::camera, {}, {}, {}, {}, {}, {}};
   EXPECT_FALSE(temperature->wanted(desk));
   panel.studio.setup().choose_material(Material::snow);
   EXPECT_TRUE(temperature->wanted(desk));

@@ -18,13 +18,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto patience = 60s;  // on a machine that is busy with other things
+using Clock = std::chrono::steady_clock;
 
-bool soon(const std::function<bool()>& holds) {
-  const auto end = std::chrono::steady_clock::now() + patience;
-  while (std::chrono::steady_clock::now() < end) {
+constexpr auto patience = 60s;  // on a machine that is busy with other things
+constexpr auto a_moment = 60ms;
+constexpr std::uint64_t settled = 3;  // so many frames after an input everything lies where it belongs
+
+bool soon(const std::function<bool()>& holds, Clock::duration limit = patience) {
+  const auto end = Clock::now() + limit;
+  while (Clock::now() < end) {
     if (holds()) return true;
-    std::this_thread::sleep_for(30ms);
+    std::this_thread::sleep_for(5ms);
   }
   return false;
 }
@@ -103,7 +107,9 @@ DesktopHand::~DesktopHand() { end(process_, SIGKILL); }
 std::map<std::string, DesktopHand::Place> DesktopHand::places() const {
   std::map<std::string, Place> found;
   std::istringstream lines(read_all(map_));
-  for (std::string line; std::getline(lines, line);) {
+  std::string line;
+  std::getline(lines, line);  // the count of frames
+  while (std::getline(lines, line)) {
     std::istringstream words(line);
     std::string name;
     std::getline(words, name, '\t');
@@ -130,18 +136,35 @@ void DesktopHand::wait_for_file(const std::filesystem::path& path) const {
 }
 
 DesktopHand::Place DesktopHand::place(const std::string& name) const {
-  // What was just unfolded or drawn may still be moving.
   Place last;
   Place now;
   do {
     last = now;
     wait_for(name);
+    const std::uint64_t before = frames();
+    soon([&] { return frames() > before; }, a_moment);
     const auto all = places();
     const auto found = all.find(name);
     if (found != all.end()) now = found->second;
-    std::this_thread::sleep_for(350ms);
   } while (!(now == last));
   return now;
+}
+
+std::uint64_t DesktopHand::frames() const {
+  std::uint64_t count = 0;
+  std::istringstream(read_all(map_)) >> count;
+  return count;
+}
+
+bool DesktopHand::has_ended() const {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0;
+}
+
+void DesktopHand::hand(const std::string& words, std::uint64_t presses) const {
+  const std::uint64_t goal = frames() + presses + settled;
+  command("xdotool " + words);
+  if (!soon([&] { return frames() >= goal || has_ended(); })) throw std::runtime_error("nothing is drawn: " + words);
 }
 
 void DesktopHand::command(const std::string& words) const {
@@ -149,35 +172,37 @@ void DesktopHand::command(const std::string& words) const {
   if (std::system(line.c_str()) != 0) throw std::runtime_error("failed: " + line);
 }
 
-void DesktopHand::click(const std::string& name) const {
+void DesktopHand::move_to(const std::string& name) const {
   const Place at = place(name);
-  command("xdotool mousemove " + std::to_string((at.left + at.right) / 2) + " " +
-          std::to_string((at.top + at.bottom) / 2) + " sleep 0.15 mousedown 1 sleep 0.15 mouseup 1 sleep 0.45");
+  const std::string there = std::to_string((at.left + at.right) / 2) + " " + std::to_string((at.top + at.bottom) / 2);
+  // Where the pointer is already, nothing happens that would be drawn.
+  if (there != pointer_) hand("mousemove " + there, 0);
+  pointer_ = there;
+}
+
+void DesktopHand::click(const std::string& name) const {
+  move_to(name);
+  hand("mousedown 1 mouseup 1", 2);
 }
 
 void DesktopHand::drag(const std::string& name, int right, int down) const {
-  const Place at = place(name);
-  const int x = (at.left + at.right) / 2;
-  const int y = (at.top + at.bottom) / 2;
-  const auto go = [&](int share) {
-    return " mousemove " + std::to_string(x + right * share / 4) + " " + std::to_string(y + down * share / 4) +
-           " sleep 0.1";
-  };
-  command("xdotool" + go(0) + " mousedown 1 sleep 0.15" + go(1) + go(2) + go(3) + go(4) + " mouseup 1 sleep 0.2");
+  move_to(name);
+  hand("mousedown 1", 1);
+  for (int part = 0; part < 2; ++part) {
+    hand("mousemove_relative -- " + std::to_string(right / 2) + " " + std::to_string(down / 2), 0);
+  }
+  hand("mouseup 1", 1);
+  pointer_.clear();
 }
 
-void DesktopHand::key(const std::string& keys) const { command("xdotool key " + keys + " sleep 0.2"); }
+void DesktopHand::key(const std::string& keys) const { hand("key " + keys, 1); }
 
-void DesktopHand::type(const std::string& text) const {
-  command("xdotool type --delay 40 -- '" + text + "' && sleep 0.1");
-}
+void DesktopHand::type(const std::string& text) const { hand("type --delay 2 -- '" + text + "'", text.size()); }
 
 void DesktopHand::enter(const std::string& name, const std::string& text) const {
-  const Place at = place(name);
-  command("xdotool mousemove " + std::to_string((at.left + at.right) / 2) + " " +
-          std::to_string((at.top + at.bottom) / 2) +
-          " sleep 0.1 keydown ctrl mousedown 1 sleep 0.15 mouseup 1 "
-          "keyup ctrl sleep 0.2 key ctrl+a sleep 0.1");
+  move_to(name);
+  hand("keydown ctrl mousedown 1 mouseup 1 keyup ctrl", 2);
+  key("ctrl+a");
   type(text);
   key("Return");
 }

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -14,7 +15,7 @@ namespace erg::test {
 class Display {
  public:
   /// Throws std::runtime_error when Xvfb does not start.
-  explicit Display(const std::string& size = "1280x800x24");
+  explicit Display(const std::string& size = "1000x760x24");
   ~Display();
   Display(const Display&) = delete;
   Display& operator=(const Display&) = delete;
@@ -66,10 +67,19 @@ class DesktopHand {
     bool operator==(const Place&) const = default;
   };
   std::map<std::string, Place> places() const;
+  /// Where it lies once it moves no more.
   Place place(const std::string& name) const;
+  /// Frames drawn so far.
+  std::uint64_t frames() const;
+  bool has_ended() const;
+  /// Gives input with xdotool, and waits for the frames that show what it did: one for each press of a button or key
+  /// and each button let go, and those in which everything settles.
+  void hand(const std::string& words, std::uint64_t presses) const;
+  void move_to(const std::string& name) const;
   void command(const std::string& words) const;
 
   std::string display_;
+  mutable std::string pointer_;  // where it is, as xdotool has it
   std::filesystem::path map_;
   std::filesystem::path errors_;
   pid_t process_ = -1;

@@ -29,7 +29,7 @@ std::string small_land(const TemporaryFolder& folder) {
 TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   const TemporaryFolder folder;
   const Display display;
-  DesktopHand hand(display, folder.path(), {"--width", "1280", "--height", "800"});
+  DesktopHand hand(display, folder.path(), {"--width", "1000", "--height", "760"});
   hand.click("GALLERY/barchans");
   hand.wait_for("RUN/play");
   hand.click("SETUP/Model");  // folded away, so that the grid is in sight
@@ -59,6 +59,7 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   EXPECT_EQ(saved.grid.integer("nx"), 96);
   EXPECT_FALSE(saved.wind.seasons.front().curve == BezierCurve{});
 
+  hand.wait_for("RUN/step");  // the 200 steps are done
   hand.key("F12");
   hand.enter("PICTURE/width", "320");
   hand.enter("PICTURE/height", "200");
@@ -68,9 +69,15 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   keep_picture(hand, "picture_dialog.png");
   hand.key("Escape");
 
+  hand.enter("WIND/last strength", "7");
+  hand.key("ctrl+q");
+  hand.wait_for("UNSAVED/SAVE");
+  keep_picture(hand, "unsaved_question.png");
+  hand.click("UNSAVED/CANCEL");
   hand.key("ctrl+o");
   hand.click("OPEN/files/mine.json");
   hand.click("OPEN/OPEN");
+  hand.click("UNSAVED/WITHOUT SAVING");
   hand.wait_for("RUN/step");
   hand.key("ctrl+q");
   EXPECT_EQ(hand.wait(), 0) << hand.errors();
