@@ -17,7 +17,7 @@ std::int32_t lowest_after(const std::string& model, const Machine& machine) {
   // One poll a cell and no slides: nothing but the wind lowers a cell, by one slab a step.
   const World world{.model = model,
                     .settings = {{"polling", std::string("nonrepeated")},
-                                 {"repose_angle", 89.0},
+                                 {"repose_angle", 80.0},
                                  {"slab_height", 0.5},
                                  {"water_table", 1.5},
                                  {"fringe", 0.0}},
