@@ -10,7 +10,8 @@
 namespace erg {
 namespace {
 
-constexpr SlabFamily family{};  // Werner's
+// Werner's; but the ground's wetness is renewed once a step, so a cell gives no more than one slab in each.
+constexpr SlabFamily family{.polling = "nonrepeated"};
 
 Parameters water_table_parameters() {
   Parameters parameters = slab_parameters(family);

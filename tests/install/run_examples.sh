@@ -7,14 +7,15 @@ cd "$work"
 fail() { echo "$1"; exit 1; }
 
 cat >small.json <<'JSON'
-{ "erg": 1, "model": "momiji", "grid": {"nx": 96, "ny": 64}, "scene": {"kind": "random"}, "run": {"steps": 100, "seed": 3} }
+{ "erg": 1, "model": "werner", "grid": {"nx": 96, "ny": 64}, "scene": {"kind": "random"},
+  "run": {"steps": 1000, "seed": 3, "threads": 1} }
 JSON
 "$2/grow_and_measure" small.json dunes >numbers.csv
 [ "$(wc -l <numbers.csv)" -eq 11 ] || fail "expected a heading and ten rows: $(cat numbers.csv)"
 # Dunes grow: the standard deviation of the height in the last row is over twice that of the first.
 awk -F, 'NR == 2 { first = $2 } END { exit !($2 > 2 * first) }' numbers.csv || fail "no dunes: $(cat numbers.csv)"
 [ -s dunes.png ] || fail "no heightmap"
-"$1/bin/erg" run dunes.checkpoint --steps 101 --quiet --out more || fail "the program does not go on with the checkpoint"
+"$1/bin/erg" run --resume dunes.checkpoint --steps 1001 --threads 1 --quiet --out more || fail "the program does not go on with the checkpoint"
 ! "$2/grow_and_measure" none.json dunes 2>errors.txt || fail "a missing config is no error"
 grep -q 'none.json' errors.txt || fail "the error does not name the file: $(cat errors.txt)"
 

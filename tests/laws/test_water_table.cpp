@@ -34,7 +34,7 @@ TEST(WaterTable, IsTheFloorOfTheWindsWork) {
   ASSERT_TRUE(joined);
   for (const Machine& machine : machines()) {
     EXPECT_EQ(lowest_after("water_table", machine), 3) << machine.name;  // 1.5 m of slabs of 0.5 m
-    EXPECT_EQ(lowest_after("werner", machine), 0) << machine.name;
+    EXPECT_LT(lowest_after("werner", machine), 3) << machine.name;
   }
 }
 

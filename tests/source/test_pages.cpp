@@ -73,7 +73,7 @@ TEST(Pages, AQuoteThatHasRottedIsSeen) {
 }
 
 TEST(Pages, LinkToWhatIsThere) {
-  static const std::regex link("\\]\\(([^)#:]+)(#[^)]*)?\\)");
+  static const std::regex link("\\]\\(([^)#: ]+)(#[^)]*)?\\)");
   int checked = 0;
   for (const fs::path& path : pages()) {
     const std::string page = read_text(path);
