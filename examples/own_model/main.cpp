@@ -16,7 +16,7 @@ namespace {
 
 void grow(const std::string& table, const std::string& folder) {
   erg::Config config("water_table");
-  for (const char* setting : {"nx=128", "ny=128", "sand=4", "steps=800", "threads=1"}) {
+  for (const char* setting : {"nx=96", "ny=96", "sand=4", "steps=600", "threads=1"}) {
     erg::set_from_text(config, setting);
   }
   erg::set_from_text(config, "water_table=" + table);
