@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "app/presets.h"
 #include "app/text_table.h"
+#include "core/errors.h"
 #include "io/config_file.h"
 #include "io/start_simulation.h"
 #include "models/model.h"
@@ -34,8 +35,7 @@ ExitCode print_presets() {
     table.rows.push_back({preset.name, config.title, config.description});
   }
   if (table.rows.empty()) {
-    std::cerr << "No presets found beside the program or in its source tree.\n";
-    return exit_failed;
+    throw InputError(presets_folder().string(), "there are no presets", "install the program with `cmake --install`");
   }
   std::cout << table.aligned() << "\nGrow one with `erg run PRESET`.\n";
   return exit_done;

@@ -4,13 +4,14 @@
 
 #include "app/command.h"
 #include "core/errors.h"
+#include "io/provenance.h"
 
 namespace erg {
 namespace {
 
 ExitCode run_program(int argument_count, char** arguments) {
   CLI::App program("Erg grows sand dunes and wind-blown snow on a grid. Without a command it opens its window.", "erg");
-  program.set_version_flag("--version", "erg " ERG_VERSION);
+  program.set_version_flag("--version", "erg " + program_version());
   program.require_subcommand(0, 1);
   program.footer("`erg COMMAND --help` shows the options of a command.");
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "io/provenance.h"
 #include "wind/shadow.h"
 
 namespace erg {
@@ -72,7 +73,7 @@ std::string hash_text(std::uint64_t hash) {
 std::string statistics_json(Simulation& simulation, const RunStatistics& numbers) {
   const Terrain& terrain = simulation.terrain();
   nlohmann::ordered_json object;
-  object["version"] = ERG_VERSION;
+  object["version"] = program_version();
   object["title"] = simulation.config().title;
   object["model"] = simulation.config().model;
   object["nx"] = terrain.nx();

@@ -1,19 +1,13 @@
 #include "app/presets.h"
 
 #include "core/errors.h"
+#include "core/program_files.h"
 
 namespace erg {
 
 namespace fs = std::filesystem;
 
-fs::path presets_folder() {
-  std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  const fs::path installed = program.parent_path() / ".." / "share" / "erg" / "cfg";
-  if (!failed && fs::is_directory(installed)) return installed.lexically_normal();
-  const fs::path source = ERG_SOURCE_PRESETS;
-  return fs::is_directory(source) ? source : fs::path();
-}
+fs::path presets_folder() { return program_folder("cfg"); }
 
 std::vector<Preset> presets() { return list_presets(presets_folder()); }
 

@@ -9,8 +9,7 @@
 
 namespace erg {
 
-/// The folder of the presets: of the installed program (../share/erg/cfg beside the program's folder), else of the
-/// source tree that it was built from. Empty when neither is there.
+/// The program's folder of presets (program_folder); it may be missing, then there are none.
 std::filesystem::path presets_folder();
 
 /// Every preset, by name.

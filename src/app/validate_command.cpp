@@ -7,6 +7,7 @@
 #include "app/command.h"
 #include "app/validation.h"
 #include "io/atomic_file.h"
+#include "io/provenance.h"
 
 namespace erg {
 namespace {
@@ -35,7 +36,7 @@ std::vector<std::string> section_names() {
 std::string validation_document(const ValidationOptions& options) {
   const std::string command = options.quick ? "erg validate --quick" : "erg validate";
   std::string document =
-      "# Validation\n\nMade by `" + command + " --out docs/validation.md` with erg " ERG_VERSION ".\n";
+      "# Validation\n\nMade by `" + command + " --out docs/validation.md` with erg " + program_version() + ".\n";
   for (const Section& section : sections) document += "\n" + section.measure(options);
   return document;
 }

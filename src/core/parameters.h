@@ -2,6 +2,7 @@
 // derived from these declarations; nothing else knows a range or a default.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

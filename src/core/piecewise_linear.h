@@ -1,6 +1,7 @@
 // A function given by its vertices, as people draw it by hand: straight between them, level beyond the outer two.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>

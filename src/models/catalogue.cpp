@@ -1,4 +1,6 @@
 // Every model, one line each. Adding a model: its two files and its line here.
+#include <utility>
+
 #include "models/bishop.h"
 #include "models/grains.h"
 #include "models/model.h"
@@ -10,11 +12,26 @@
 
 namespace erg {
 
-const std::vector<ModelType>& catalogue() {
-  static const std::vector<ModelType> models{
+namespace {
+
+// A deque: runs hold pointers to their model's entry, which stay good when one is added.
+std::deque<ModelType>& all_models() {
+  static std::deque<ModelType> models{
       werner(), momiji(), bishop(), nield_baas(), snow_packing(), snow_sintering(), grains(),
   };
   return models;
+}
+
+}  // namespace
+
+const std::deque<ModelType>& catalogue() { return all_models(); }
+
+void add_model(ModelType model) {
+  for (const ModelType& other : catalogue()) {
+    if (other.info.key != model.info.key) continue;
+    throw InputError("model", "there is a model \"" + model.info.key + "\" already", "give yours a key of its own");
+  }
+  all_models().push_back(std::move(model));
 }
 
 const ModelType& find_model(const std::string& key) {

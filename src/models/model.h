@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -89,7 +90,12 @@ struct ModelType {
 };
 
 /// Every model, in the order people should meet them.
-const std::vector<ModelType>& catalogue();
+const std::deque<ModelType>& catalogue();
+
+/// Adds a model to the catalogue of this program, at its end: for a program that links the library and brings a model
+/// of its own. Configs, checkpoints and Simulation know it from then on. Call it before threads are started. Throws
+/// InputError where the key is taken.
+void add_model(ModelType model);
 
 /// The model with this key; throws InputError with the nearest key.
 const ModelType& find_model(const std::string& key);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/program_files.h"
 
 namespace erg {
 namespace {
@@ -95,14 +96,10 @@ GLuint compile(GLenum type, const fs::path& path, const std::vector<std::string>
 }  // namespace
 
 fs::path shader_folder() {
+  const fs::path folder = program_folder("shaders");
   std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed).parent_path();
-  const std::vector<fs::path> places{program / "shaders", program / ".." / "share" / "erg" / "shaders",
-                                     ERG_SOURCE_SHADERS};
-  for (const fs::path& place : places) {
-    if (fs::is_directory(place, failed)) return place.lexically_normal();
-  }
-  throw InputError("shaders", "the folder of the shaders is neither beside the program nor in share/erg",
+  if (fs::is_directory(folder, failed)) return folder;
+  throw InputError(folder.string(), "the folder of the shaders is not there",
                    "install the program with `cmake --install`");
 }
 

@@ -10,8 +10,7 @@
 
 namespace erg {
 
-/// Where the shader files lie: beside the program, in the installed ../share/erg/shaders, or in the source tree that
-/// it was built from. Throws InputError when none of them is there.
+/// The program's folder of shader files (program_folder). Throws InputError when it is not there.
 std::filesystem::path shader_folder();
 
 /// A linked program of one vertex and one fragment shader.

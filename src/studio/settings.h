@@ -1,6 +1,7 @@
 // What the program remembers of its window from one day to the next.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>

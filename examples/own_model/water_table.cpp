@@ -1,0 +1,88 @@
+#include "water_table.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "models/slab_model.h"
+
+namespace erg {
+namespace {
+
+// Werner's; but the ground's wetness is renewed once a step, so a cell gives no more than one slab in each.
+constexpr SlabFamily family{.polling = "nonrepeated"};
+
+Parameters water_table_parameters() {
+  Parameters parameters = slab_parameters(family);
+  parameters.push_back(real_parameter("water_table", "Water table", "m", 0.5, 0, 1000,
+                                      "Height above level 0 up to which the ground is wet through.", "Stokes 1968"));
+  parameters.push_back(real_parameter("fringe", "Capillary fringe", "m", 0.3, 0, 10,
+                                      "Height above the water table over which the ground dries to the top."));
+  return parameters;
+}
+
+class WaterTable : public SlabModel {
+ public:
+  explicit WaterTable(ParameterValues values) : SlabModel(family, std::move(values)) {}
+
+  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
+    executor.settle(terrain);
+    wet_the_ground(terrain, executor);
+    SlabLaw law = SlabModel::law(terrain);
+    law.cover = &cover_;
+    law.cover_revision = ++cover_revision_;
+    return executor.step(terrain, law, wind, key);
+  }
+
+  std::vector<Reading> readings() const override {
+    const auto wet = std::count(cover_.cells().begin(), cover_.cells().end(), cover_of(1));
+    return {{"wet_share", "wet ground", "", cover_.empty() ? 0 : static_cast<double>(wet) / cover_.size()}};
+  }
+
+ private:
+  /// How firmly water holds each cell: 1 at the water table and below, 0 above the fringe.
+  void wet_the_ground(const Terrain& terrain, Executor& executor) {
+    if (cover_.extent() != terrain.extent()) cover_ = CoverField(terrain.extent());
+    const double table = values().real("water_table");
+    const double fringe = std::max(values().real("fringe"), 1e-6);
+    executor.for_pieces(static_cast<std::int64_t>(cover_.size()), [&](std::int64_t begin, std::int64_t end) {
+      for (auto cell = static_cast<std::size_t>(begin); cell < static_cast<std::size_t>(end); ++cell) {
+        const double height = terrain.metres(terrain.bedrock()[cell] + terrain.mobile()[cell]);
+        cover_[cell] = cover_of(static_cast<float>(std::clamp((table + fringe - height) / fringe, 0.0, 1.0)));
+      }
+    });
+  }
+
+  CoverField cover_;
+  std::uint64_t cover_revision_ = 0;
+};
+
+std::vector<std::string> explain(const ParameterValues& values, double cell_size) {
+  std::vector<std::string> lines = explain_slabs(values, cell_size);
+  char line[80];
+  std::snprintf(line, sizeof line, "water table %g m: %.1f slabs above level 0", values.real("water_table"),
+                values.real("water_table") / values.real("slab_height"));
+  lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+ModelType water_table() {
+  return {
+      {.key = "water_table",
+       .title = "Water table",
+       .citation = "Werner 1995 over a water table as in Stokes, W. L. (1968). Multiple parallel-truncation bedding "
+                   "planes. Journal of Sedimentary Petrology 38, 510-515.",
+       .makes = "dunes between level wet flats",
+       .leaves_out = "a table that rises under dunes, rain, evaporation, salt",
+       .step = "one step polls as many cells as the grid has",
+       .strength_label = "hop length, cells"},
+      water_table_parameters(),
+      {},  // no layers of its own
+      [](const ParameterValues& values) { return std::make_unique<WaterTable>(values); },
+      explain};
+}
+
+}  // namespace erg

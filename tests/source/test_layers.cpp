@@ -1,0 +1,61 @@
+// The layers: nothing includes what lies above it. Which arrows there are is read from src/CMakeLists.txt alone.
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "source_tree.h"
+
+namespace erg::test {
+namespace {
+
+bool runs_up(const std::string& path, const std::string& included) {
+  return !may_include(layer_of(path)).contains(layer_of(included));
+}
+
+TEST(Layers, NoIncludeRunsUp) {
+  ASSERT_GT(source_tree().size(), 100U);
+  for (const auto& [path, file] : source_tree()) {
+    ASSERT_TRUE(arrows().contains(layer_of(path))) << path << " lies in no layer of src/CMakeLists.txt";
+    for (const std::string& included : file.own) {
+      EXPECT_TRUE(source_tree().contains(included)) << path << " includes " << included << ", which is not in src/";
+      EXPECT_FALSE(runs_up(path, included)) << path << " includes " << included << ": the layer " << layer_of(path)
+                                            << " does not link " << layer_of(included);
+    }
+  }
+}
+
+TEST(Layers, AnIncludeThatRunsUpOrAcrossIsSeen) {
+  EXPECT_TRUE(runs_up("core/grid.h", "wind/regime.h"));
+  EXPECT_TRUE(runs_up("models/model.h", "sim/config.h"));
+  EXPECT_TRUE(runs_up("analysis/fourier.h", "wind/shadow.h")) << "beside, not below";
+  EXPECT_TRUE(runs_up("render/camera.h", "io/image.h"));
+  EXPECT_FALSE(runs_up("wind/regime.h", "core/grid.h"));
+  EXPECT_FALSE(runs_up("app/bench.h", "core/grid.h"));
+}
+
+// The row of a layer in the table of docs/architecture.md: | `layer` | what it holds | what it links |
+std::set<std::string> links_on_the_page(const std::string& page, const std::string& layer) {
+  const std::size_t row = page.find("\n| `" + layer + "` |");
+  if (row == std::string::npos) return {"no row"};
+  const std::string line = page.substr(row + 1, page.find('\n', row + 1) - row - 1);
+  const std::size_t end = line.rfind('|');
+  const std::size_t begin = line.rfind('|', end - 1);
+  std::set<std::string> names;
+  std::string name;
+  for (const char letter : line.substr(begin + 1, end - begin - 1) + ",") {
+    if (letter >= 'a' && letter <= 'z') {
+      name += letter;
+    } else if (!name.empty() && letter == ',') {
+      names.insert(std::exchange(name, ""));
+    }
+  }
+  return names;
+}
+
+TEST(Layers, TheArchitecturePageHasTheSameArrows) {
+  const std::string page = read_text(source_root() / "docs" / "architecture.md");
+  for (const auto& [layer, links] : arrows()) EXPECT_EQ(links_on_the_page(page, layer), links) << layer;
+}
+
+}  // namespace
+}  // namespace erg::test
