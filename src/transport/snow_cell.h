@@ -203,8 +203,9 @@ ERG_CELL_RULE float strength_noise(const SnowLaw& law, int x, int y, int height)
     const float share_u = corner & 1 ? u - static_cast<float>(column) : 1 - (u - static_cast<float>(column));
     const float share_v = corner & 2 ? v - static_cast<float>(row) : 1 - (v - static_cast<float>(row));
     const float share_w = corner & 4 ? w - static_cast<float>(layer) : 1 - (w - static_cast<float>(layer));
-    const std::uint64_t place = static_cast<std::uint64_t>(r % law.noise_rows) << 40 ^
-                                static_cast<std::uint64_t>(c % law.noise_columns) << 20 ^ static_cast<std::uint64_t>(l);
+    const std::uint64_t place = static_cast<std::uint64_t>(r < law.noise_rows ? r : r - law.noise_rows) << 40 ^
+                                static_cast<std::uint64_t>(c < law.noise_columns ? c : c - law.noise_columns) << 20 ^
+                                static_cast<std::uint64_t>(l);
     sum += share_u * share_v * share_w * unit_24(static_cast<std::uint32_t>(mix64(law.noise_word ^ place) >> 40));
   }
   const float stretched = 0.5f + 2.0f * (sum - 0.5f);

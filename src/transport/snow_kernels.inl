@@ -73,38 +73,38 @@ void poll(const SnowPolls& polls) {
   alignas(64) std::uint32_t row[snow_lines];
   alignas(64) std::uint32_t lifts[snow_lines];
   const std::uint32_t* __restrict polled_row = polls.polled_row;
-  const std::uint32_t* __restrict snow = polls.snow;
-  const std::uint32_t* __restrict chances = polls.chances;
+  const SnowCell* __restrict cells = polls.cells;
   const std::uint32_t key = polls.key + polls.first_line * 0x9e3779b9u;
   const std::uint32_t chance_key = polls.chance_key;
   const auto rows = static_cast<std::uint32_t>(polls.rows);
-  ERG_EACH(i, snow_lines) {
+  const int next_row = polls.next_row;
+  const int next_line = polls.next_line;
+  ERG_EACH(i, polls.lines) {
     const std::uint32_t word = mix32(key + static_cast<std::uint32_t>(i) * 0x9e3779b9u);
     const std::uint32_t at = polled_row[static_cast<int>(word >> 24)];
     const bool within = at < rows;
-    const int cell = static_cast<int>(within ? at : 0) * snow_lines + i;
-    const std::uint32_t here = snow[cell];
-    const std::uint32_t chance = lift_chance_of(here, chances[cell]);
+    const int cell = static_cast<int>(within ? at : 0) * next_row + i * next_line;
+    const std::uint32_t chance = lift_chance_of(cells[cell].snow, cells[cell].chances);
     row[i] = within ? at : 0;
     lifts[i] = within && (mix32(word ^ chance_key) >> 16) < chance ? 1 : 0;
   }
   for (int i = 0; i < polls.lines; ++i) polls.lifts[row[i]] |= static_cast<std::uint64_t>(lifts[i]) << i;
 }
 
-void free_runs(const std::int16_t* over, int clearance_16, int reach, std::int16_t* runs) {
-  alignas(64) std::int16_t height[snow_lines];
-  alignas(64) std::int16_t run[snow_lines];
+void find_runs(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count) {
+  alignas(64) std::int16_t height[64];
+  alignas(64) std::int16_t run[64];
   const std::int16_t* __restrict from = over;
-  ERG_EACH(i, snow_lines) {
+  ERG_EACH(i, 64) {
     height[i] = static_cast<std::int16_t>(flying_height(from[i], clearance_16));
     run[i] = unhindered_run;
   }
   for (int k = reach; k > 0; --k) {
-    const std::int16_t* __restrict ahead = over + k * snow_lines;
+    const std::int16_t* __restrict ahead = over + k * next_row;
     const auto rows = static_cast<std::int16_t>(k);
-    ERG_EACH(i, snow_lines) run[i] = ahead[i] > height[i] ? rows : run[i];
+    ERG_EACH(i, 64) run[i] = ahead[i] > height[i] ? rows : run[i];
   }
-  ERG_EACH(i, snow_lines) runs[i] = run[i];
+  for (int i = 0; i < count; ++i) cells[i].run = run[i];
 }
 
 bool any_steep(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
@@ -122,7 +122,7 @@ bool any_steep(const std::int32_t* ground_a, const std::int32_t* snow_a, const s
 }  // namespace
 
 extern const SnowKernels snow_kernels;
-const SnowKernels snow_kernels{weather, rest, poll, free_runs, any_steep};
+const SnowKernels snow_kernels{weather, rest, poll, find_runs, any_steep};
 
 }  // namespace ERG_KERNELS
 }  // namespace erg

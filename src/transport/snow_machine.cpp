@@ -168,9 +168,11 @@ std::uint32_t SnowMachine::make_weather(int y) {
 
 void SnowMachine::find_shadow(double shadow_fall) {
   executor_->for_pieces(frame_.width, [&](std::int64_t begin, std::int64_t end) {
-    // Where lines lie in memory one is followed after the other, else all side by side.
-    const int step = along_x() ? 1 : static_cast<int>(end - begin);
-    for (int line = static_cast<int>(begin); line < end; line += step) shade_lines(line, line + step, shadow_fall);
+    // Where lines lie in memory a few are followed at a time, else all side by side.
+    const int step = along_x() ? 16 : static_cast<int>(end - begin);
+    for (int line = static_cast<int>(begin); line < end; line += step) {
+      shade_lines(line, std::min(line + step, static_cast<int>(end)), shadow_fall);
+    }
   });
 }
 
@@ -187,11 +189,17 @@ void SnowMachine::shade_lines(int first, int end, double shadow_fall) {
   const int start = open ? 0 : -(reach < limit ? static_cast<int>(reach) : limit);
   std::vector<std::int64_t> far(static_cast<std::size_t>(end - first), no_line);
   std::vector<std::int64_t> near = far;
+  const auto moved = [&](int row) { return (row * tangent_24 + (std::int64_t{1} << 23)) >> 24; };
+  std::int64_t sideways = moved(start);
+  int first_u = static_cast<int>((first + sideways) % frame_.width);
+  if (first_u < 0) first_u += frame_.width;
   int v = wrap(start, frame_.length);
   for (int row = start; row < frame_.length; ++row, v = v + 1 == frame_.length ? 0 : v + 1) {
-    const std::int64_t sideways = (row * tangent_24 + (std::int64_t{1} << 23)) >> 24;
-    int u = static_cast<int>((first + sideways) % frame_.width);
-    if (u < 0) u += frame_.width;
+    if (const std::int64_t now = moved(row); now != sideways) {
+      sideways = now;
+      if (++first_u == frame_.width) first_u = 0;
+    }
+    int u = first_u;
     for (std::size_t line = 0; line < far.size(); ++line) {
       if (open && u == 0) far[line] = near[line] = no_line;  // enters over the side, or begins here
       const std::size_t here = cell(u, v);

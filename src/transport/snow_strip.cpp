@@ -14,44 +14,93 @@ constexpr std::int16_t over_wall = 0x7fff;  // higher than any slab flies
 constexpr std::int32_t no_surface = std::numeric_limits<std::int32_t>::min();
 constexpr std::uint32_t golden = 0x9e3779b9u;
 
+constexpr std::uint32_t always = 65536;
+
 std::uint64_t bit(int line) { return std::uint64_t{1} << line; }
 
 std::uint32_t chance(float share) { return static_cast<std::uint32_t>(std::clamp(share, 0.0f, 1.0f) * 65536); }
+
+/// The snow of a cell from which a slab has lifted: a loose one where there is one.
+std::uint32_t without_slab(std::uint32_t snow) {
+  return snow - (loose_of(snow) > 0 ? snow_word(1, 1) : snow_word(0, 1));
+}
 
 /// A further random word.
 std::uint32_t next(std::uint32_t word) { return mix32(word + 0x85ebca6bu); }
 
 }  // namespace
 
+/// The ring while a sub-sweep runs.
+struct SnowStrip::Air {
+  std::uint64_t* ring;
+  std::uint64_t* arrivals;
+  int mask;
+  std::int64_t rows_flown = 0;
+
+  std::uint64_t& arrived(int row) { return arrivals[row & mask]; }
+  std::uint64_t& load(int row, int line) { return ring[(row & mask) * snow_lines + line]; }
+  /// Sends a slab from a cell to the row where it comes down next.
+  void launch(const SnowCell& cell, int row, int line, std::uint32_t random) {
+    const int rows = snow_hop_rows(cell.hops, random);
+    int flown = rows;
+    std::uint64_t slab = one_slab + whole_hop;
+    if (cell.run < rows) {
+      flown = cell.run;
+      slab = one_slab + whole_hop * static_cast<std::uint32_t>(flown) / static_cast<std::uint32_t>(rows);
+    }
+    load(row + flown, line) += slab;
+    arrived(row + flown) |= bit(line);
+    rows_flown += flown;
+  }
+};
+
 // --- terrain in and out ---
 
 int SnowStrip::column(int row, int line) const {
-  const int column = plan_.offsets[row + 1] + first_ + line;
+  const int column = offset(row) + first_ + line;
   return column < plan_.frame.width ? column : column % plan_.frame.width;
 }
 
-/// Calls visit(row, line, cell of the terrain), neighbours in memory one after another. Rows may lie beyond the grid.
+/// Calls visit(cell of a layer, cell of the terrain), neighbours in memory one after another. Rows may lie beyond the
+/// grid.
 template <typename Visit>
 void SnowStrip::for_cells(int begin, int end, const Visit& visit) const {
   const WindFrame& frame = plan_.frame;
-  constexpr int rows_at_once = 32;
-  const bool lines_in_memory = frame.step_v == 1 || frame.step_v == -1;
-  for (int first_row = begin; first_row < end; first_row += rows_at_once) {
-    const int end_row = std::min(first_row + rows_at_once, end);
-    const auto cell = [&](int row, int line) {
-      const int v = row >= 0 && row < frame.length ? row : wrap(row, frame.length);
-      return frame.cell(column(row, line), v);
-    };
-    if (lines_in_memory) {
-      for (int line = 0; line < lines_; ++line) {
-        for (int row = first_row; row < end_row; ++row) visit(row, line, cell(row, line));
-      }
-    } else {
-      for (int row = first_row; row < end_row; ++row) {
-        for (int line = 0; line < lines_; ++line) visit(row, line, cell(row, line));
+  const auto in_grid = [&](int row) { return row >= 0 && row < frame.length ? row : wrap(row, frame.length); };
+  if (next_row_ != 1) {
+    for (int row = begin; row < end; ++row) {
+      for (int line = 0; line < lines_; ++line) visit(at(row, line), frame.cell(column(row, line), in_grid(row)));
+    }
+    return;
+  }
+  for (int line = 0; line < lines_; ++line) {
+    for (int row = begin; row < end;) {
+      // As many rows as the line stays in one column and inside the grid.
+      const int first = row;
+      const int turn = first < 0 ? 0 : (first / frame.length + 1) * frame.length;
+      while (row < end && row < turn && offset(row) == offset(first)) ++row;
+      const auto cell = static_cast<std::ptrdiff_t>(frame.cell(column(first, line), in_grid(first)));
+      const std::size_t here = at(first, line);
+      const std::ptrdiff_t step = frame.step_v;
+      for (int k = 0; k < row - first; ++k) {
+        visit(here + static_cast<std::size_t>(k), static_cast<std::size_t>(cell + k * step));
       }
     }
   }
+}
+
+/// Cells lie side by side as they do in the terrain; lines a little apart, so that they do not compete for one place in
+/// a cache.
+void SnowStrip::lay_out() {
+  const WindFrame& frame = plan_.frame;
+  const int rows = frame.length + plan_.reach + 64;
+  const bool lines_in_memory = frame.step_v == 1 || frame.step_v == -1;
+  next_row_ = lines_in_memory ? 1 : snow_lines;
+  next_line_ = lines_in_memory ? (rows + 127) / 128 * 128 + 36 : 1;
+  const std::size_t cells = lines_in_memory ? at(0, lines_) : at(rows, 0);
+  cells_.resize(cells);
+  over_.resize(cells);
+  ground_.resize(plan_.relief ? cells : 0);
 }
 
 void SnowStrip::load(const SnowFlightPlan& plan, int first, int lines) {
@@ -64,81 +113,81 @@ void SnowStrip::load(const SnowFlightPlan& plan, int first, int lines) {
   rest_hard_ = chance(law.rest_hard);
   rest_ground_ = chance(law.rest_ground);
   suspension_ = chance(law.suspension);
-  const int length = plan.frame.length;
-  const std::size_t cells = at(length, 0);
-  snow_.resize(cells);
-  chances_.resize(cells);
-  hops_.resize(cells);
-  runs_.resize(cells);
-  over_.resize(at(length + plan.reach + 1, 0));
-  ground_.resize(at(length + 1, 0));
-  landed_.assign(static_cast<std::size_t>(length), 0);
-  ring_.assign(at(plan.ring_rows, 0), 0);
+  lay_out();
+  ring_.assign(static_cast<std::size_t>(plan.ring_rows) * snow_lines, 0);
   arrived_.assign(static_cast<std::size_t>(plan.ring_rows), 0);
-  const auto ground = [&](std::size_t cell) { return plan.relief ? plan.bedrock[cell] : 0; };
-  for_cells(0, length, [&](int row, int line, std::size_t cell) {
-    const std::size_t here = at(row, line);
-    snow_[here] = snow_word(plan.loose[cell], plan.mobile[cell]);
-    chances_[here] = plan.chances[cell];
-    hops_[here] = plan.hops[cell];
-    over_[here] = plan.over[cell];
-    ground_[here] = ground(cell);
+  const int length = plan.frame.length;
+  for_cells(0, length, [&](std::size_t here, std::size_t cell) {
+    SnowCell& mine = cells_[here];
+    mine.snow = snow_word(plan_.loose[cell], plan_.mobile[cell]);
+    mine.chances = plan_.chances[cell];
+    mine.hops = plan_.hops[cell];
+    mine.landed = 0;
+    over_[here] = plan_.over[cell];
   });
-  // Beyond an open edge nothing stands in the way.
-  std::fill(over_.begin() + static_cast<std::ptrdiff_t>(cells), over_.end(), static_cast<std::int16_t>(-highest_over));
   std::fill(upwind_, upwind_ + snow_lines, no_surface);
-  if (plan.boundary == Boundary::torus) {
-    for_cells(-1, 0, [&](int, int line, std::size_t cell) { upwind_[line] = ground(cell) + plan.mobile[cell]; });
-    load_beyond_edge();
-  }
+  load_beyond_edge();
   if (plan.relief) find_walls();
   find_runs();
 }
 
-/// What a hop over the torus edge meets.
+/// What a hop over the edge meets. Beyond an open one nothing stands in the way.
 void SnowStrip::load_beyond_edge() {
-  const WindFrame& frame = plan_.frame;
-  const int length = frame.length;
-  for_cells(length, length + plan_.reach, [&](int row, int line, std::size_t cell) {
-    over_[at(row, line)] = plan_.over[cell];
-    if (!plan_.relief) return;
-    const std::size_t next = frame.cell(column(row + 1, line), wrap(row + 1, length));
-    if (before_wall(plan_.bedrock[next], plan_.bedrock[cell] + plan_.mobile[cell])) {
-      over_[at(row, line)] = over_wall;
-    }
-    if (row == length) ground_[at(row, line)] = plan_.bedrock[cell];
+  const int length = plan_.frame.length;
+  const int end = length + plan_.reach;
+  if (plan_.boundary == Boundary::open) {
+    for_cells(length, end, [&](std::size_t here, std::size_t) { over_[here] = -highest_over; });
+    return;
+  }
+  for_cells(length, end, [&](std::size_t here, std::size_t cell) {
+    cells_[here].snow = snow_word(0, plan_.mobile[cell]);
+    over_[here] = plan_.over[cell];
   });
+  for (int line = 0; line < lines_; ++line) {
+    const std::size_t cell = plan_.frame.cell(column(-1, line), length - 1);
+    upwind_[line] = plan_.mobile[cell] + (plan_.relief ? plan_.bedrock[cell] : 0);
+  }
 }
 
 /// What comes to a cell before bedrock that stands too high over it stays there: hops end at it, and none leave it.
 void SnowStrip::find_walls() {
-  const int rows = plan_.boundary == Boundary::torus ? plan_.frame.length : plan_.frame.length - 1;
-  for (int row = 0; row < rows; ++row) {
-    for (int line = 0; line < lines_; ++line) {
+  const bool open = plan_.boundary == Boundary::open;
+  const int rows = open ? plan_.frame.length : plan_.frame.length + plan_.reach;
+  for_cells(0, rows, [&](std::size_t here, std::size_t cell) { ground_[here] = plan_.bedrock[cell]; });
+  for (int line = 0; line < lines_; ++line) {
+    for (int row = 0; row + 1 < rows; ++row) {
       const std::size_t here = at(row, line);
-      if (!before_wall(ground_[at(row + 1, line)], ground_[here] + mobile_of(snow_[here]))) continue;
-      if (plan_.boundary == Boundary::open && column(row + 1, line) < column(row, line)) continue;
-      chances_[here] = 0;
-      hops_[here] = 0;
+      if (ground_[at(row + 1, line)] - surface(here) <= plan_.law->wall) continue;
+      if (open && column(row + 1, line) < column(row, line)) continue;
+      cells_[here].chances = 0;
+      cells_[here].hops = 0;
       over_[here] = over_wall;
     }
   }
 }
 
 void SnowStrip::find_runs() {
-  for (int row = 0; row < plan_.frame.length; ++row) {
-    plan_.kernels->free_runs(over_.data() + at(row, 0), plan_.law->clearance_16, plan_.reach,
-                             runs_.data() + at(row, 0));
+  const int length = plan_.frame.length;
+  const auto find = [&](std::size_t here, int count) {
+    plan_.kernels->find_runs(over_.data() + here, next_row_, plan_.law->clearance_16, plan_.reach, cells_.data() + here,
+                             count);
+  };
+  if (next_row_ != 1) {
+    for (int row = 0; row < length; ++row) find(at(row, 0), snow_lines);
+    return;
+  }
+  for (int line = 0; line < lines_; ++line) {
+    for (int row = 0; row < length; row += 64) find(at(row, line), std::min(64, length - row));
   }
 }
 
 void SnowStrip::store() {
   const float now = plan_.law->now;
-  for_cells(0, plan_.frame.length, [&](int row, int line, std::size_t cell) {
-    const std::uint32_t snow = snow_[at(row, line)];
-    plan_.mobile[cell] = mobile_of(snow);
-    plan_.loose[cell] = loose_of(snow);
-    if (landed_[static_cast<std::size_t>(row)] & bit(line)) plan_.landed[cell] = now;
+  for_cells(0, plan_.frame.length, [&](std::size_t here, std::size_t cell) {
+    const SnowCell& mine = cells_[here];
+    plan_.mobile[cell] = mobile_of(mine.snow);
+    plan_.loose[cell] = loose_of(mine.snow);
+    plan_.landed[cell] = mine.landed != 0 ? now : plan_.landed[cell];
   });
 }
 
@@ -147,20 +196,62 @@ void SnowStrip::store() {
 void SnowStrip::sweep(const SnowSweep& sweep) {
   carried_.clear();
   std::uint64_t lifts[64] = {};
+  Air air{ring_.data(), arrived_.data(), plan_.ring_rows - 1};
   const int length = plan_.frame.length;
   for (int row = 0; row < length; ++row) {
-    const std::uint64_t lifted = sweep.polls ? find_lifts(row, sweep, lifts) : 0;
+    std::uint64_t lifted = sweep.polls ? find_lifts(row, sweep, lifts) : 0;
     if (plan_.boundary == Boundary::open) cross_open_edges(row, sweep);
-    std::uint64_t all = lifted | arrived(row);
-    if (all == 0) continue;
-    const std::uint32_t row_key = mix32(sweep.key + static_cast<std::uint32_t>(row) * golden);
-    for (; all != 0; all &= all - 1) {
-      const int line = __builtin_ctzll(all);
-      visit(row, line, (lifted & bit(line)) != 0, row_key, sweep);
+    if ((lifted | air.arrived(row)) == 0) continue;
+    const std::uint64_t row_word = mix64((std::uint64_t{sweep.key} << 32) + static_cast<std::uint64_t>(row));
+    SnowCell* cells = cells_.data() + at(row, 0);
+    counts_.lifts += __builtin_popcountll(lifted);
+    for (; lifted != 0; lifted &= lifted - 1) {
+      const int line = __builtin_ctzll(lifted);
+      SnowCell& cell = cells[line * next_line_];
+      cell.snow = without_slab(cell.snow);
+      air.launch(cell, row, line, static_cast<std::uint32_t>(line_word(row_word, line)));
     }
-    arrived(row) = 0;
+    for (std::uint64_t all = air.arrived(row); all != 0; all &= all - 1) {
+      const int line = __builtin_ctzll(all);
+      arrive(cells[line * next_line_], row, line, row_word, sweep.last, air);
+    }
+    air.arrived(row) = 0;
   }
+  counts_.rows_flown += air.rows_flown;
   leave_grid();
+}
+
+/// The random word of a line in a row.
+inline std::uint64_t SnowStrip::line_word(std::uint64_t row_word, int line) const {
+  return mix64(row_word + static_cast<std::uint64_t>(first_ + line));
+}
+
+/// Slabs come down in a cell: they strike it, stay or fly on. All decide on the snow as they find it.
+inline void SnowStrip::arrive(SnowCell& cell, int row, int line, std::uint64_t row_word, bool last, Air& air) {
+  std::uint64_t& waiting = air.load(row, line);
+  const std::uint64_t load = waiting;
+  waiting = 0;
+  const std::uint32_t before = cell.snow;
+  std::int32_t mobile = mobile_of(before);
+  std::int32_t loose = loose_of(before);
+  std::uint32_t rest = loose > 0 ? rest_loose_ : (mobile > 0 ? rest_hard_ : rest_ground_);
+  if (last || mean_hop_64(cell.hops) == 0) rest = always;
+  std::uint64_t word = line_word(~row_word, line);
+  if (loose == 0 && mobile > 0) loose += strikes(row, line, load, static_cast<std::uint32_t>(word >> 40));
+  for (auto slabs = load / one_slab;; word = mix64(word)) {
+    const bool stays = (word & 0xffff) < rest;
+    if (stays) {
+      ++mobile;
+      ++loose;
+      cell.landed = 1;
+    } else if ((word >> 16 & 0xffff) < suspension_) {
+      ++counts_.slabs_out;
+    } else {
+      air.launch(cell, row, line, static_cast<std::uint32_t>(word >> 32));
+    }
+    if (--slabs == 0) break;
+  }
+  cell.snow = snow_word(std::min(loose, mobile), mobile);
 }
 
 /// The lines that lift a slab in this row. Those of a block of rows are found together.
@@ -176,99 +267,40 @@ std::uint64_t SnowStrip::find_lifts(int row, const SnowSweep& sweep, std::uint64
     polls.first_line = static_cast<std::uint32_t>(first_);
     polls.lines = lines_;
     polls.polled_row = sweep.polled_row;
-    polls.snow = snow_.data() + at(row, 0);
-    polls.chances = chances_.data() + at(row, 0);
+    polls.cells = cells_.data() + at(row, 0);
+    polls.next_row = next_row_;
+    polls.next_line = next_line_;
     polls.lifts = lifts;
     plan_.kernels->poll(polls);
   }
   return lifts[in_block];
 }
 
-/// A cell in which slabs lift or come down. Its decisions read the snow as this sub-sweep finds it.
-void SnowStrip::visit(int row, int line, bool lifts, std::uint32_t row_key, const SnowSweep& sweep) {
-  const std::size_t here = at(row, line);
-  const std::uint32_t before = snow_[here];
-  const bool hard = loose_of(before) == 0;
-  std::int32_t mobile = mobile_of(before);
-  std::int32_t loose = loose_of(before);
-  std::uint32_t word = mix32(row_key + static_cast<std::uint32_t>(first_ + line) * golden);
-  if (lifts) {
-    --mobile;
-    if (!hard) --loose;
-    ++counts_.lifts;
-    launch(row, line, word);
-    word = next(word);
-  }
-  std::uint64_t& waiting = ring(row, line);
-  if (const std::uint64_t load = waiting; load != 0) {
-    waiting = 0;
-    if (hard && mobile_of(before) > 0) loose += strikes(row, line, load, word);
-    const bool stays_always = sweep.last || mean_hop_64(hops_[here]) == 0;
-    const std::uint32_t rest = !hard ? rest_loose_ : (mobile_of(before) > 0 ? rest_hard_ : rest_ground_);
-    for (auto slabs = load / one_slab; slabs > 0; --slabs) {
-      word = next(word);
-      if (stays_always || (word & 0xffff) < rest) {
-        ++mobile;
-        ++loose;
-        landed_[static_cast<std::size_t>(row)] |= bit(line);
-      } else if ((word >> 16) < suspension_) {
-        ++counts_.slabs_out;
-      } else {
-        launch(row, line, next(word ^ golden));
-      }
-    }
-  }
-  snow_[here] = snow_word(std::min(loose, mobile), mobile);
-}
-
 /// How many slabs of bonded snow the impacts on a cell free.
-int SnowStrip::strikes(int row, int line, std::uint64_t load, std::uint32_t word) {
+int SnowStrip::strikes(int row, int line, std::uint64_t load, std::uint32_t word) const {
   const std::size_t here = at(row, line);
-  const float strength = abrasion_of(hops_[here]);
-  if (strength <= 0) return 0;
-  const std::int32_t surface = ground_[here] + mobile_of(snow_[here]);
-  std::int32_t upwind = upwind_[line];
-  if (row > 0) {
-    const std::size_t before = at(row - 1, line);
-    upwind = ground_[before] + mobile_of(snow_[before]);
-  }
-  const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface - upwind);
+  const float strongest = abrasion_of(cells_[here].hops);
+  if (strongest <= 0) return 0;
+  const std::int32_t upwind = row > 0 ? surface(at(row - 1, line)) : upwind_[line];
+  const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface(here) - upwind);
   const auto slabs = static_cast<std::uint32_t>(load / one_slab);
   const float flown = static_cast<float>(load % one_slab) / static_cast<float>(slabs * whole_hop);
-  const float power = strength * impact_share(*plan_.law, rise) * flown;
+  const float power = strongest * impact_share(*plan_.law, rise) * flown;
   if (power <= 0) return 0;
   int freed = 0;
   for (std::uint32_t slab = 0; slab < slabs; ++slab) {
-    word = next(word ^ 0x2545f491u);
-    if (struck(row, line, power, word >> 8)) ++freed;
+    const float drawn = unit_24(word);
+    word = mix32(word + golden) >> 8;
+    if (may_free(*plan_.law, drawn, power) && drawn * strength(row, line) < power) ++freed;
   }
   return freed;
 }
 
-bool SnowStrip::struck(int row, int line, float power, std::uint32_t random) const {
-  const float drawn = unit_24(random);
-  if (!may_free(*plan_.law, drawn, power)) return false;
+float SnowStrip::strength(int row, int line) const {
   const std::size_t cell = plan_.frame.cell(column(row, line), row);
   const auto width = static_cast<std::size_t>(plan_.extent.nx);
-  return drawn * snow_strength(*plan_.law, static_cast<int>(cell % width), static_cast<int>(cell / width),
-                               mobile_of(snow_[at(row, line)])) <
-         power;
-}
-
-/// Sends a slab from a cell to the row where it comes down next.
-void SnowStrip::launch(int row, int line, std::uint32_t word) {
-  const std::size_t here = at(row, line);
-  const int rows = snow_hop_rows(hops_[here], word);
-  const int run = runs_[here];
-  std::uint64_t load = one_slab + whole_hop;
-  int flown = rows;
-  if (run < rows) {
-    flown = run;
-    load = one_slab + whole_hop * static_cast<std::uint32_t>(run) / static_cast<std::uint32_t>(rows);
-  }
-  ring(row + flown, line) += load;
-  arrived(row + flown) |= bit(line);
-  counts_.rows_flown += flown;
+  return snow_strength(*plan_.law, static_cast<int>(cell % width), static_cast<int>(cell / width),
+                       mobile_of(cells_[at(row, line)].snow));
 }
 
 /// What is in the air over the last row goes on at the other end of the torus, or has left over the open edge.
@@ -303,9 +335,9 @@ void SnowStrip::cross_open_edges(int row, const SnowSweep& sweep) {
     for (int line = 0; line < lines_; ++line) enter(row, line, sweep);
     return;
   }
-  if (plan_.offsets[row + 1] == plan_.offsets[row]) return;
+  if (offset(row) == offset(row - 1)) return;
   const int width = plan_.frame.width;
-  const int line = wrap(-plan_.offsets[row + 1] - first_, width);  // it stands in column 0 now
+  const int line = wrap(-offset(row) - first_, width);  // it stands in column 0 now
   if (line >= lines_) return;
   drop_out(row, line);
   enter(row, line, sweep);
@@ -315,13 +347,13 @@ void SnowStrip::enter(int row, int line, const SnowSweep& sweep) {
   if (plan_.inflow <= 0 || !sweep.polls) return;
   std::uint32_t word = mix32(sweep.key ^ mix32(static_cast<std::uint32_t>(first_ + line) * golden + 1));
   const auto slabs = static_cast<int>(plan_.inflow / plan_.sweeps + static_cast<double>(unit_24(word >> 8)));
-  const std::size_t here = at(row, line);
+  const SnowCell& cell = cells_[at(row, line)];
   for (int slab = 0; slab < slabs; ++slab) {
     // Where in its hop a slab crosses the edge is random.
     word = next(word);
-    const std::uint32_t part = mean_hop_64(hops_[here]) * (word >> 16) >> 16;
-    const int hop = mean_hop_64(hops_[here]) > 0 ? snow_hop_rows(part, next(word ^ golden)) : 0;
-    const int rows = std::min<int>(hop, runs_[here]);
+    const std::uint32_t part = mean_hop_64(cell.hops) * (word >> 16) >> 16;
+    const int hop = mean_hop_64(cell.hops) > 0 ? snow_hop_rows(part, next(word ^ golden)) : 0;
+    const int rows = std::min<int>(hop, cell.run);
     receive(line, row + rows, one_slab + whole_hop);
     counts_.rows_flown += rows;
   }

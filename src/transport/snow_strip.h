@@ -76,27 +76,32 @@ class SnowStrip {
   const Counts& counts() const { return counts_; }
 
  private:
+  struct Air;
+
   template <typename Visit>
   void for_cells(int begin, int end, const Visit& visit) const;
+  void lay_out();
   void load_beyond_edge();
+  int offset(int row) const { return plan_.offsets[row + 1]; }
   void find_walls();
-  bool before_wall(std::int32_t next_ground, std::int32_t surface) const {
-    return next_ground - surface > plan_.law->wall;
-  }
   void find_runs();
+  std::int32_t surface(std::size_t here) const {
+    return mobile_of(cells_[here].snow) + (plan_.relief ? ground_[here] : 0);
+  }
   int column(int row, int line) const;
   std::size_t at(int row, int line) const {
-    return static_cast<std::size_t>(row) * snow_lines + static_cast<std::size_t>(line);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(next_row_) +
+           static_cast<std::size_t>(line) * static_cast<std::size_t>(next_line_);
   }
   std::uint64_t& ring(std::int64_t row, int line) {
     return ring_[static_cast<std::size_t>(row & (plan_.ring_rows - 1)) * snow_lines + static_cast<std::size_t>(line)];
   }
   std::uint64_t& arrived(std::int64_t row) { return arrived_[static_cast<std::size_t>(row & (plan_.ring_rows - 1))]; }
   std::uint64_t find_lifts(int row, const SnowSweep& sweep, std::uint64_t (&lifts)[64]);
-  void visit(int row, int line, bool lifts, std::uint32_t row_key, const SnowSweep& sweep);
-  int strikes(int row, int line, std::uint64_t load, std::uint32_t word);
-  bool struck(int row, int line, float power, std::uint32_t random) const;
-  void launch(int row, int line, std::uint32_t word);
+  std::uint64_t line_word(std::uint64_t row_word, int line) const;
+  void arrive(SnowCell& cell, int row, int line, std::uint64_t row_word, bool last, Air& air);
+  int strikes(int row, int line, std::uint64_t load, std::uint32_t word) const;
+  float strength(int row, int line) const;
   void cross_open_edges(int row, const SnowSweep& sweep);
   void enter(int row, int line, const SnowSweep& sweep);
   void drop_out(int row, int line);
@@ -110,13 +115,11 @@ class SnowStrip {
   std::uint32_t rest_ground_ = 0;
   std::uint32_t suspension_ = 0;
   Counts counts_;
-  AlignedVector<std::uint32_t> snow_;     ///< loose and all slabs (snow_word)
-  AlignedVector<std::uint32_t> chances_;  ///< SnowWeather
-  AlignedVector<std::uint32_t> hops_;
-  AlignedVector<std::int16_t> over_;      ///< up to `reach` rows beyond the grid
-  AlignedVector<std::int16_t> runs_;      ///< rows that a slab can fly from each cell before higher ground stops it
-  AlignedVector<std::int32_t> ground_;    ///< bedrock where it is not level, else 0; one row beyond the grid
-  std::vector<std::uint64_t> landed_;     ///< one bit a line: a slab has come to rest here
+  int next_row_ = snow_lines;  ///< in the layers below: cells lie as they do in the terrain, lines or rows side by side
+  int next_line_ = 1;
+  AlignedVector<SnowCell> cells_;         ///< up to `reach` rows beyond the grid, as all layers
+  AlignedVector<std::int16_t> over_;      ///< SnowWeather
+  AlignedVector<std::int32_t> ground_;    ///< bedrock; empty where it is level
   std::int32_t upwind_[snow_lines] = {};  ///< surface of the row before the first
   AlignedVector<std::uint64_t> ring_;     ///< slabs that come down, and in the lower half the shares of hops they flew
   std::vector<std::uint64_t> arrived_;    ///< one bit a line of the ring's rows

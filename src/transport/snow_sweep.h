@@ -44,8 +44,17 @@ struct SnowRestRow {
   float* shown_bonded = nullptr;
 };
 
-/// Lines of a strip: a row of a strip has room for so many.
+/// Most lines of a strip.
 inline constexpr int snow_lines = 64;
+
+/// A cell of a strip, held together because a slab that lifts or comes down needs all of it.
+struct SnowCell {
+  std::uint32_t snow = 0;     ///< snow_word
+  std::uint32_t chances = 0;  ///< SnowWeather
+  std::uint32_t hops = 0;
+  std::int16_t run = 0;     ///< rows that a slab can fly from here before higher ground ends its hop
+  std::int16_t landed = 0;  ///< 1: a slab has come to rest here in this step
+};
 
 /// Rows of a strip in which a sub-sweep polls each line once.
 struct SnowPolls {
@@ -55,8 +64,9 @@ struct SnowPolls {
   std::uint32_t first_line = 0;
   int lines = 0;
   const std::uint32_t* polled_row = nullptr;  ///< 256 rows, one for each random byte
-  const std::uint32_t* snow = nullptr;        ///< of the first row: loose slabs, and all slabs in the upper half
-  const std::uint32_t* chances = nullptr;
+  const SnowCell* cells = nullptr;            ///< of the first row's first line
+  int next_row = 0;                           ///< from a cell to that in the next row
+  int next_line = 0;
   std::uint64_t* lifts = nullptr;  ///< one bit a line, for each row of a block; zero before
 };
 
@@ -65,9 +75,9 @@ struct SnowKernels {
   std::uint32_t (*weather)(const SnowLaw& law, const SnowWeatherRow& row);
   void (*rest)(const SnowLaw& law, const SnowRestRow& row);
   void (*poll)(const SnowPolls& polls);
-  /// Rows that a slab can fly from each cell of a strip's row before higher ground ends its hop; `unhindered_run` where
-  /// none of the next `reach` rows does.
-  void (*free_runs)(const std::int16_t* over, int clearance_16, int reach, std::int16_t* runs);
+  /// Finds the runs of `count` cells that lie side by side, 64 at most: rows until higher ground, looking `reach` rows
+  /// ahead; `unhindered_run` where there is none. `over` has `next_row` from a cell to that in the next row.
+  void (*find_runs)(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count);
   /// Whether any of `count` surfaces in `a` stands more than `step` over or under that in `b`.
   bool (*any_steep)(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
                     const std::int32_t* snow_b, int count, int step);
