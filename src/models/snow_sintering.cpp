@@ -297,12 +297,11 @@ void SnowSintering::hold_fields(std::vector<Field>& fields) {
 }
 
 void SnowSintering::write_strength(const Terrain& terrain, Grid<float>& values, Executor& executor) const {
+  const SnowKernels& kernels = snow_kernels(best_instruction_set());
   executor.for_pieces(terrain.ny(), [&](std::int64_t begin, std::int64_t end) {
     for (int y = static_cast<int>(begin); y < end; ++y) {
-      for (int x = 0; x < terrain.nx(); ++x) {
-        const std::size_t cell = values.index(x, y);
-        values[cell] = snow_strength(law_, x, y, terrain.mobile()[cell] - layers_.loose[cell]);
-      }
+      const std::size_t row = values.index(0, y);
+      kernels.strength(law_, y, &terrain.mobile()[row], &layers_.loose[row], &values[row], terrain.nx());
     }
   });
 }

@@ -110,6 +110,13 @@ void find_runs(const std::int16_t* over, int next_row, int clearance_16, int rea
 bool any_steep(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
                const std::int32_t* snow_b, int count, int step) {
   std::int32_t steep = 0;
+  if (ground_a == nullptr) {
+    ERG_EACH(i, count) {
+      const std::int32_t difference = snow_a[i] - snow_b[i];
+      steep |= (difference > step ? 1 : 0) | (difference < -step ? 1 : 0);
+    }
+    return steep != 0;
+  }
   ERG_EACH(i, count) {
     const std::int32_t difference = ground_a[i] + snow_a[i] - ground_b[i] - snow_b[i];
     steep |= (difference > step ? 1 : 0) | (difference < -step ? 1 : 0);
@@ -117,12 +124,18 @@ bool any_steep(const std::int32_t* ground_a, const std::int32_t* snow_a, const s
   return steep != 0;
 }
 
+void strength(const SnowLaw& given_law, int y, const std::int32_t* __restrict mobile,
+              const std::int32_t* __restrict loose, float* __restrict strength, int count) {
+  const SnowLaw law = given_law;
+  ERG_EACH(x, count) strength[x] = snow_strength(law, x, y, mobile[x] - loose[x]);
+}
+
 #undef ERG_EACH
 
 }  // namespace
 
 extern const SnowKernels snow_kernels;
-const SnowKernels snow_kernels{weather, rest, poll, find_runs, any_steep};
+const SnowKernels snow_kernels{weather, rest, poll, find_runs, any_steep, strength};
 
 }  // namespace ERG_KERNELS
 }  // namespace erg

@@ -421,8 +421,9 @@ void SnowMachine::slide_between_rows(std::size_t a, std::size_t b) {
 }
 
 bool SnowMachine::any_steep(std::size_t a, std::size_t b, int count) const {
-  return snow_kernels(instructions_)
-      .any_steep(bedrock_ + a, mobile_ + a, bedrock_ + b, mobile_ + b, count, law_->standing);
+  const std::int32_t* ground = relief_ ? bedrock_ : nullptr;
+  const auto at = [ground](std::size_t cell) { return ground != nullptr ? ground + cell : nullptr; };
+  return snow_kernels(instructions_).any_steep(at(a), mobile_ + a, at(b), mobile_ + b, count, law_->standing);
 }
 
 void SnowMachine::slide_edge(std::size_t a, std::size_t b) {

@@ -78,9 +78,13 @@ struct SnowKernels {
   /// Finds the runs of `count` cells that lie side by side, 64 at most: rows until higher ground, looking `reach` rows
   /// ahead; `unhindered_run` where there is none. `over` has `next_row` from a cell to that in the next row.
   void (*find_runs)(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count);
-  /// Whether any of `count` surfaces in `a` stands more than `step` over or under that in `b`.
+  /// Whether any of `count` surfaces in `a` stands more than `step` over or under that in `b`. Ground may be null where
+  /// it is level.
   bool (*any_steep)(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
                     const std::int32_t* snow_b, int count, int step);
+  /// Strength of the uppermost bonded snow of `count` cells from (0, y) on.
+  void (*strength)(const SnowLaw& law, int y, const std::int32_t* mobile, const std::int32_t* loose, float* strength,
+                   int count);
 };
 inline constexpr std::int16_t unhindered_run = 0x7fff;
 
