@@ -25,25 +25,18 @@ StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Ex
   const int width = plan_.frame.width;
   strips_.resize(static_cast<std::size_t>((width + snow_lines - 1) / snow_lines));
   const auto count = static_cast<std::int64_t>(strips_.size());
-  const auto load = [&](std::int64_t k) {
-    const int first = static_cast<int>(k) * snow_lines;
-    strips_[static_cast<std::size_t>(k)].load(plan_, first, std::min(snow_lines, width - first));
-  };
-  if (plan_.boundary == Boundary::open || plan_.drift % width == 0) {
+  executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      const int first = static_cast<int>(k) * snow_lines;
+      strips_[k].load(plan_, first, std::min(snow_lines, width - first));
+      fly_strip(strips_[k]);
+      if (lines_close()) strips_[k].store();
+    }
+  });
+  if (!lines_close()) {
+    bring_down(executor);
     executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t k = begin; k < end; ++k) {
-        load(k);
-        fly_strip(strips_[static_cast<std::size_t>(k)]);
-        strips_[static_cast<std::size_t>(k)].store();
-      }
-    });
-  } else {
-    executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t k = begin; k < end; ++k) load(k);
-    });
-    fly_together(executor);
-    executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t k = begin; k < end; ++k) strips_[static_cast<std::size_t>(k)].store();
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) strips_[k].store();
     });
   }
   StepReport report;
@@ -93,27 +86,30 @@ void SnowFlights::draw_sweeps() {
   }
 }
 
-/// All sub-sweeps of a strip whose lines close on themselves.
+/// All sub-sweeps of a strip. Lines that close on themselves bring down all that is in the air.
 void SnowFlights::fly_strip(SnowStrip& strip) {
+  const int first = static_cast<int>(&strip - strips_.data()) * snow_lines;
   std::vector<SnowStrip::Carried> carried;
-  for (std::size_t number = 0; sweeps_[number].polls || !carried.empty(); ++number) {
-    const int first = static_cast<int>(&strip - strips_.data()) * snow_lines;
-    for (const SnowStrip::Carried& slabs : carried) {
-      strip.receive(static_cast<int>(slabs.line) - first, slabs.row, slabs.load);
+  for (std::size_t number = 0; sweeps_[number].polls || (lines_close() && !strip.carried().empty()); ++number) {
+    if (lines_close()) {
+      carried.clear();
+      carried.swap(strip.carried());
+      for (const SnowStrip::Carried& slabs : carried) {
+        strip.receive(static_cast<int>(slabs.line) - first, slabs.row, slabs.load);
+      }
     }
     strip.sweep(sweeps_[number]);
-    carried.swap(strip.carried());
   }
 }
 
-/// Sub-sweep after sub-sweep on all strips, where lines go on in other strips.
-void SnowFlights::fly_together(Executor& executor) {
-  bool in_the_air = false;
-  for (std::size_t number = 0; sweeps_[number].polls || in_the_air; ++number) {
+/// Where lines go on in other strips: pass after pass until nothing is in the air.
+void SnowFlights::bring_down(Executor& executor) {
+  for (auto number = static_cast<std::size_t>(plan_.sweeps); hand_over(); ++number) {
     executor.for_pieces(static_cast<std::int64_t>(strips_.size()), [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t k = begin; k < end; ++k) strips_[static_cast<std::size_t>(k)].sweep(sweeps_[number]);
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+        strips_[k].sweep(sweeps_[number]);
+      }
     });
-    in_the_air = hand_over();
   }
 }
 
@@ -127,6 +123,7 @@ bool SnowFlights::hand_over() {
       strips_[static_cast<std::size_t>(line / snow_lines)].receive(line % snow_lines, slabs.row, slabs.load);
       any = true;
     }
+    from.carried().clear();
   }
   return any;
 }

@@ -1,9 +1,9 @@
 // The flights of a step of sintering snow, on all threads: K sub-sweeps over strips of lines.
 //
 // Each sub-sweep polls a random 1/K of the cells and follows the lines down the wind once: slabs lift, come down, free
-// bonded snow, stay or fly on. What flies over the torus edge goes on in the next sub-sweep; after the last one further
-// passes without polls bring all of it down. Lines stay what they are for the step, and nothing in one line waits for
-// another, except that an oblique line goes on as another one behind the torus edge.
+// bonded snow, stay or fly on. What flies over the torus edge goes on in the next sub-sweep, or, where an oblique line
+// goes on as another one there, after the last; then passes without polls bring all of it down. So nothing in one line
+// waits for another, and a strip stays in a processor's cache for all its sub-sweeps.
 #pragma once
 
 #include "transport/snow_strip.h"
@@ -18,8 +18,10 @@ class SnowFlights {
  private:
   void draw_lines();
   void draw_sweeps();
+  /// Whether each line goes on as itself behind the torus edge, or not at all.
+  bool lines_close() const { return plan_.boundary == Boundary::open || plan_.drift % plan_.frame.width == 0; }
   void fly_strip(SnowStrip& strip);
-  void fly_together(Executor& executor);
+  void bring_down(Executor& executor);
   bool hand_over();
 
   SnowFlightPlan plan_;

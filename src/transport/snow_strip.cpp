@@ -58,32 +58,45 @@ struct SnowStrip::Air {
 
 int SnowStrip::column(int row, int line) const {
   const int column = offset(row) + first_ + line;
-  return column < plan_.frame.width ? column : column % plan_.frame.width;
+  return column < plan_.frame.width ? column : column - plan_.frame.width;
 }
 
 /// Calls visit(cell of a layer, cell of the terrain), neighbours in memory one after another. Rows may lie beyond the
 /// grid.
 template <typename Visit>
 void SnowStrip::for_cells(int begin, int end, const Visit& visit) const {
-  const WindFrame& frame = plan_.frame;
-  const auto in_grid = [&](int row) { return row >= 0 && row < frame.length ? row : wrap(row, frame.length); };
+  // Copies, which nothing that a visit writes can change.
+  const WindFrame frame = plan_.frame;
+  const int* const offsets = plan_.offsets + 1;
+  const int first_line = first_;
+  const int lines = lines_;
+  const auto cell_of = [&](int row, int line) {
+    const int u = offsets[row] + first_line + line;
+    const int v = row < frame.length ? row : row % frame.length;
+    return frame.cell(u < frame.width ? u : u - frame.width, v);
+  };
   if (next_row_ != 1) {
     for (int row = begin; row < end; ++row) {
-      for (int line = 0; line < lines_; ++line) visit(at(row, line), frame.cell(column(row, line), in_grid(row)));
+      const std::size_t here = at(row, 0);
+      for (int line = 0; line < lines; ++line) visit(here + static_cast<std::size_t>(line), cell_of(row, line));
     }
     return;
   }
-  for (int line = 0; line < lines_; ++line) {
-    for (int row = begin; row < end;) {
-      // As many rows as the line stays in one column and inside the grid.
-      const int first = row;
-      const int turn = first < 0 ? 0 : (first / frame.length + 1) * frame.length;
-      while (row < end && row < turn && offset(row) == offset(first)) ++row;
-      const auto cell = static_cast<std::ptrdiff_t>(frame.cell(column(first, line), in_grid(first)));
+  // Oblique lines cross the terrain's rows: a part of all lines at a time, so that what they meet is still at hand.
+  constexpr int rows_at_once = 64;
+  const bool straight = plan_.drift == 0 && end <= frame.length;
+  for (int first = begin; first < end; first += rows_at_once) {
+    const int rows = std::min(rows_at_once, end - first);
+    for (int line = 0; line < lines; ++line) {
       const std::size_t here = at(first, line);
-      const std::ptrdiff_t step = frame.step_v;
-      for (int k = 0; k < row - first; ++k) {
-        visit(here + static_cast<std::size_t>(k), static_cast<std::size_t>(cell + k * step));
+      if (straight) {
+        const auto cell = static_cast<std::ptrdiff_t>(cell_of(first, line));
+        const std::ptrdiff_t step = frame.step_v;
+        for (int k = 0; k < rows; ++k) {
+          visit(here + static_cast<std::size_t>(k), static_cast<std::size_t>(cell + k * step));
+        }
+      } else {
+        for (int k = 0; k < rows; ++k) visit(here + static_cast<std::size_t>(k), cell_of(first + k, line));
       }
     }
   }
@@ -108,6 +121,7 @@ void SnowStrip::load(const SnowFlightPlan& plan, int first, int lines) {
   first_ = first;
   lines_ = lines;
   counts_ = {};
+  carried_.clear();
   const SnowLaw& law = *plan.law;
   rest_loose_ = chance(law.rest_loose);
   rest_hard_ = chance(law.rest_hard);
@@ -117,13 +131,11 @@ void SnowStrip::load(const SnowFlightPlan& plan, int first, int lines) {
   ring_.assign(static_cast<std::size_t>(plan.ring_rows) * snow_lines, 0);
   arrived_.assign(static_cast<std::size_t>(plan.ring_rows), 0);
   const int length = plan.frame.length;
-  for_cells(0, length, [&](std::size_t here, std::size_t cell) {
-    SnowCell& mine = cells_[here];
-    mine.snow = snow_word(plan_.loose[cell], plan_.mobile[cell]);
-    mine.chances = plan_.chances[cell];
-    mine.hops = plan_.hops[cell];
-    mine.landed = 0;
-    over_[here] = plan_.over[cell];
+  SnowCell* const cells = cells_.data();
+  std::int16_t* const over = over_.data();
+  for_cells(0, length, [=, from = plan](std::size_t here, std::size_t cell) {
+    cells[here] = {snow_word(from.loose[cell], from.mobile[cell]), from.chances[cell], from.hops[cell], 0, 0};
+    over[here] = from.over[cell];
   });
   std::fill(upwind_, upwind_ + snow_lines, no_surface);
   load_beyond_edge();
@@ -183,18 +195,18 @@ void SnowStrip::find_runs() {
 
 void SnowStrip::store() {
   const float now = plan_.law->now;
-  for_cells(0, plan_.frame.length, [&](std::size_t here, std::size_t cell) {
-    const SnowCell& mine = cells_[here];
-    plan_.mobile[cell] = mobile_of(mine.snow);
-    plan_.loose[cell] = loose_of(mine.snow);
-    plan_.landed[cell] = mine.landed != 0 ? now : plan_.landed[cell];
+  const SnowCell* const cells = cells_.data();
+  for_cells(0, plan_.frame.length, [=, to = plan_](std::size_t here, std::size_t cell) {
+    const SnowCell& mine = cells[here];
+    to.mobile[cell] = mobile_of(mine.snow);
+    to.loose[cell] = loose_of(mine.snow);
+    to.landed[cell] = mine.landed != 0 ? now : to.landed[cell];
   });
 }
 
 // --- a sub-sweep ---
 
 void SnowStrip::sweep(const SnowSweep& sweep) {
-  carried_.clear();
   std::uint64_t lifts[64] = {};
   Air air{ring_.data(), arrived_.data(), plan_.ring_rows - 1};
   const int length = plan_.frame.length;

@@ -66,7 +66,7 @@ class SnowStrip {
 
   /// Takes its lines' part of the terrain. `first`: number of its first line.
   void load(const SnowFlightPlan& plan, int first, int lines);
-  /// One sub-sweep. On a torus what is in the air at the end is left in carried().
+  /// One sub-sweep. On a torus what is in the air at the end is added to carried().
   void sweep(const SnowSweep& sweep);
   std::vector<Carried>& carried() { return carried_; }
   /// Puts slabs into the air over one of its lines (numbered from 0).
