@@ -59,7 +59,9 @@ std::uint64_t hash_after_steps(InstructionSet instructions, const std::string& e
   raise_rocks(terrain, 60);
   const Extent extent = terrain.extent();
   for (const char* key : {"age", "landed", "loose", "bonded"}) {
-    terrain.edit_fields().push_back({{.key = key}, Grid<float>(extent)});
+    FieldInfo info;
+    info.key = key;
+    terrain.edit_fields().push_back({info, Grid<float>(extent)});
   }
   std::vector<Field>& fields = terrain.edit_fields();
   SnowLayers layers;
@@ -122,7 +124,8 @@ TEST(SnowFlights, StopBeforeWalls) {
     raise_rocks(terrain, 2000);
     world.run(terrain, {.name = executor, .threads = 2, .sweeps = 8}, 10);
     for (std::size_t cell = 0; cell < terrain.mobile().size(); ++cell) {
-      if (terrain.bedrock()[cell] == 2000) ASSERT_EQ(terrain.mobile()[cell], 0) << executor;
+      if (terrain.bedrock()[cell] != 2000) continue;
+      ASSERT_EQ(terrain.mobile()[cell], 0) << executor;
     }
   }
 }
@@ -166,7 +169,8 @@ TEST(SnowFlights, DriftAsOneSlabAtATime) {
         ASSERT_GT(reference, 0) << what;
         EXPECT_NEAR(mine / reference, 1, tolerance) << what << ", " << bearing << " deg, gale " << gale;
       };
-      alike(all.lifts, one.lifts, 0.03, "lifts");
+      // Oblique lines, which hold for a step, spread what comes down a little less: about 3% fewer lifts in a gale.
+      alike(all.lifts, one.lifts, 0.06, "lifts");
       alike(all.travel, one.travel, 0.03, "travel");
       alike(all.out, one.out, 0.08, "carried off");
       alike(all.bonded, one.bonded, 0.03, "bonded");
