@@ -73,6 +73,9 @@ class SnowMachine {
   std::uint64_t number(int u, int v) const {
     return static_cast<std::uint64_t>(u) * static_cast<std::uint64_t>(frame_.length) + static_cast<std::uint64_t>(v);
   }
+  static std::uint64_t cell_word(std::uint64_t word, std::uint64_t number) {
+    return mix64(word + 0x9e3779b97f4a7c15u * (number + 1));
+  }
   bool along_x() const { return frame_.step_v == 1 || frame_.step_v == -1; }
   bool inside(int& u, int& v) const;
   std::int32_t surface(std::size_t cell) const { return bedrock_[cell] + mobile_[cell]; }

@@ -249,7 +249,7 @@ inline void SnowStrip::arrive(SnowCell& cell, int row, int line, std::uint64_t r
   std::uint32_t rest = loose > 0 ? rest_loose_ : (mobile > 0 ? rest_hard_ : rest_ground_);
   if (last || mean_hop_64(cell.hops) == 0) rest = always;
   std::uint64_t word = line_word(~row_word, line);
-  if (loose == 0 && mobile > 0) loose += strikes(row, line, load, static_cast<std::uint32_t>(word >> 40));
+  if (loose == 0 && mobile > 0) loose += strikes(row, line, load, mix32(static_cast<std::uint32_t>(word >> 32)));
   for (auto slabs = load / one_slab;; word = mix64(word)) {
     const bool stays = (word & 0xffff) < rest;
     if (stays) {
@@ -302,7 +302,7 @@ int SnowStrip::strikes(int row, int line, std::uint64_t load, std::uint32_t word
   int freed = 0;
   for (std::uint32_t slab = 0; slab < slabs; ++slab) {
     const float drawn = unit_24(word);
-    word = mix32(word + golden) >> 8;
+    word = next(word);
     if (may_free(*plan_.law, drawn, power) && drawn * strength(row, line) < power) ++freed;
   }
   return freed;
