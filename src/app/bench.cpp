@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <memory>
 #include <thread>
+#include <typeinfo>
 
+#include "app/model_stage.h"
 #include "core/random.h"
 #include "models/slab_model.h"
 #include "sim/simulation.h"
@@ -18,7 +20,6 @@ constexpr int growing_steps = 300;       // enough for dunes to stand
 constexpr int hashed_steps = 2;          // also warms caches up
 constexpr int repeats = 8;               // the best of them counts
 constexpr double repeat_seconds = 0.15;  // short, so that executors share the machine's good and bad moments
-constexpr double oblique_turn = -30;     // degrees from the straight wind
 constexpr std::uint64_t bench_seed = 1;
 
 /// What all executors of a comparison start from.
@@ -29,16 +30,35 @@ struct Scene {
   WindNow wind;
 };
 
-/// An executor with its own copy of the terrain.
+/// A law of slabs on an executor with its own copy of the terrain.
+class LawRun {
+ public:
+  LawRun(const Scene& scene, const ExecutorOptions& options)
+      : scene_(scene), terrain_(scene.terrain), executor_(make_executor(options)) {}
+
+  std::int64_t step() { return executor_->step(terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls; }
+  const Terrain& terrain() {
+    executor_->settle(terrain_);
+    return terrain_;
+  }
+  Executor& executor() { return *executor_; }
+
+ private:
+  const Scene& scene_;
+  Terrain terrain_;
+  std::unique_ptr<Executor> executor_;
+  std::uint64_t steps_ = growing_steps;
+};
+
+/// An executor at work on a scene.
 class Contestant {
  public:
-  Contestant(const Scene& scene, ExecutorOptions options)
-      : scene_(scene), options_(std::move(options)), terrain_(scene.terrain), executor_(make_executor(options_)) {}
+  Contestant(BenchRow row) : row_(std::move(row)) {}
+  virtual ~Contestant() = default;
 
   void run_hashed_steps() {
     for (int i = 0; i < hashed_steps; ++i) step();
-    executor_->settle(terrain_);
-    hash_ = state_hash(terrain_);
+    describe(row_);
   }
 
   void run_repeat() {
@@ -50,33 +70,37 @@ class Contestant {
       polls += step();
       seconds = std::chrono::duration<double>(Clock::now() - start).count();
     } while (seconds < repeat_seconds);
-    best_ = std::max(best_, static_cast<double>(polls) / seconds);
+    row_.polls_per_second = std::max(row_.polls_per_second, static_cast<double>(polls) / seconds);
   }
 
-  BenchRow row(const std::string& model) const {
-    const bool serial = options_.name == "serial";
-    return {.model = model,
-            .scene = scene_.name,
-            .nx = terrain_.nx(),
-            .ny = terrain_.ny(),
-            .executor = executor_->name(),
-            .threads = executor_->threads(),
-            .bearing = scene_.wind.bearing,
-            .sweeps = serial ? 0 : options_.sweeps,
-            .polls_per_second = best_,
-            .hash = hash_};
-  }
+  const BenchRow& row() const { return row_; }
 
  private:
-  std::int64_t step() { return executor_->step(terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls; }
+  virtual std::int64_t step() = 0;
+  virtual void describe(BenchRow& row) = 0;
 
-  const Scene& scene_;
-  ExecutorOptions options_;
-  Terrain terrain_;
-  std::unique_ptr<Executor> executor_;
-  std::uint64_t steps_ = growing_steps;
-  std::uint64_t hash_ = 0;
-  double best_ = 0;
+  BenchRow row_;
+};
+
+/// `Run`: LawRun or ModelRun.
+template <typename Run>
+class RunContestant : public Contestant {
+ public:
+  template <typename Stage>
+  RunContestant(const Stage& stage, const ExecutorOptions& options, BenchRow row)
+      : Contestant(std::move(row)), run_(stage, options) {}
+
+ private:
+  std::int64_t step() override { return run_.step(); }
+  void describe(BenchRow& row) override {
+    row.nx = run_.terrain().nx();
+    row.ny = run_.terrain().ny();
+    row.executor = run_.executor().name();
+    row.threads = run_.executor().threads();
+    row.hash = state_hash(run_.terrain());
+  }
+
+  Run run_;
 };
 
 /// What is measured beside serial on `threads` threads, and where `beside_one` on one thread too.
@@ -123,9 +147,17 @@ CoverField scattered_cover(Extent extent) {
 using Contest = std::vector<std::unique_ptr<Contestant>>;
 
 /// On one scene: serial first, then the given executors.
-void enter(Contest& contest, const Scene& scene, const std::vector<ExecutorOptions>& executors) {
-  contest.push_back(std::make_unique<Contestant>(scene, ExecutorOptions{.name = "serial", .threads = 1}));
-  for (const ExecutorOptions& options : executors) contest.push_back(std::make_unique<Contestant>(scene, options));
+template <typename Run, typename Stage>
+void enter(Contest& contest, const Stage& scene, double bearing, const std::vector<ExecutorOptions>& executors) {
+  const auto one = [&](const ExecutorOptions& options) {
+    BenchRow row;
+    row.scene = scene.name;
+    row.bearing = bearing;
+    row.sweeps = options.name == "serial" ? 0 : options.sweeps;
+    contest.push_back(std::make_unique<RunContestant<Run>>(scene, options, row));
+  };
+  one({.name = "serial", .threads = 1});
+  for (const ExecutorOptions& options : executors) one(options);
 }
 
 /// Measures all in turns, so that each has its share of the machine's good moments, and sets each beside its
@@ -137,7 +169,10 @@ std::vector<BenchRow> measure_in_turns(const std::string& model, const Contest& 
     for (const auto& contestant : contest) contestant->run_repeat();
   }
   std::vector<BenchRow> rows;
-  for (const auto& contestant : contest) rows.push_back(contestant->row(model));
+  for (const auto& contestant : contest) {
+    rows.push_back(contestant->row());
+    rows.back().model = model;
+  }
   double serial = 0;
   for (BenchRow& row : rows) {
     if (row.sweeps == 0) serial = row.polls_per_second;
@@ -167,11 +202,29 @@ std::vector<BenchRow> bench_model(const std::string& model, const BenchOptions& 
   rocks.name = "obstacles";
 
   Contest contest;
-  enter(contest, dunes, all);
-  enter(contest, oblique, on_all_threads);
-  enter(contest, covered, on_all_threads);
-  enter(contest, rocks, on_all_threads);
+  enter<LawRun>(contest, dunes, dunes.wind.bearing, all);
+  for (const Scene* scene : {&oblique, &covered, &rocks}) {
+    enter<LawRun>(contest, *scene, scene->wind.bearing, on_all_threads);
+  }
   return measure_in_turns(model, contest);
+}
+
+/// Whole steps of a model that does more than to hand over a law of slabs.
+std::vector<BenchRow> bench_steps(const std::string& model, const BenchOptions& options) {
+  const std::vector<ModelScene> scenes = grow_scenes(model, options);
+  Contest contest;
+  for (const ModelScene& scene : scenes) {
+    enter<ModelRun>(contest, scene, scene.config.wind.at(0).bearing,
+                    measured_options(options, &scene == scenes.data()));
+  }
+  return measure_in_turns(model, contest);
+}
+
+/// Whether a model is nothing but a law of slabs.
+bool is_law_alone(const ModelType& type) {
+  const auto made = type.make(ParameterValues(type.parameters));
+  const Model& model = *made;
+  return typeid(model) == typeid(SlabModel);
 }
 
 }  // namespace
@@ -183,7 +236,11 @@ int bench_threads(const BenchOptions& options) {
 std::vector<BenchRow> run_bench(const BenchOptions& options) {
   std::vector<BenchRow> rows;
   for (const std::string& model : options.models) {
-    for (BenchRow& row : bench_model(find_model(model).info.key, options)) rows.push_back(std::move(row));
+    const ModelType& type = find_model(model);
+    for (BenchRow& row :
+         is_law_alone(type) ? bench_model(type.info.key, options) : bench_steps(type.info.key, options)) {
+      rows.push_back(std::move(row));
+    }
   }
   return rows;
 }

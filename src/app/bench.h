@@ -9,12 +9,15 @@ namespace erg {
 
 struct BenchOptions {
   int grid = 1024;                  ///< cells a side
-  std::vector<std::string> models;  ///< keys of slab models
+  std::vector<std::string> models;  ///< keys
   std::string executor = "cpu";     ///< measured beside serial: "cpu" or "cuda"
   int threads = 0;                  ///< measured beside one thread; 0: one for each processor
   int sweeps = 0;                   ///< K; 0: 8 and 16
   double bearing = 270;             ///< degrees
 };
+
+/// How much an oblique wind is turned from the straight one, degrees.
+inline constexpr double oblique_turn = -30;
 
 /// How many threads are measured beside one.
 int bench_threads(const BenchOptions& options);
@@ -22,7 +25,7 @@ int bench_threads(const BenchOptions& options);
 /// One measured executor on one scene.
 struct BenchRow {
   std::string model;
-  std::string scene;  ///< "dunes", "oblique wind", "cover", "obstacles"
+  std::string scene;  ///< "dunes", "oblique wind", "cover", "obstacles", "waves", "sastrugi"
   int nx = 0;
   int ny = 0;
   std::string executor;
@@ -31,12 +34,12 @@ struct BenchRow {
   int sweeps = 0;  ///< 0 for serial, which has none
   double polls_per_second = 0;
   double serial_polls_per_second = 0;  ///< the reference on the same scene, measured between the same repeats
-  double plain_polls_per_second = 0;   ///< the same executor on plain dunes under the straight wind
+  double plain_polls_per_second = 0;   ///< the same executor on the model's plain scene under the straight wind
   std::uint64_t hash = 0;              ///< of the terrain after the same few steps in every row of a scene
 };
 
-/// Measures; says on standard error what it is at. Throws InputError for unknown models and models that are no slab
-/// models.
+/// Measures laws of slabs by themselves and whole steps of other models, without statistics and files; says on standard
+/// error what it is at. Throws InputError for unknown models.
 std::vector<BenchRow> run_bench(const BenchOptions& options);
 
 }  // namespace erg

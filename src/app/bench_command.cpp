@@ -12,7 +12,6 @@
 #include "core/terrain.h"
 #include "models/grains.h"
 #include "models/model.h"
-#include "models/slab_model.h"
 #include "render/gl_context.h"
 #include "transport/executor.h"
 #include "wind/bearing.h"
@@ -55,8 +54,7 @@ std::string json_text(const std::vector<BenchRow>& rows, const std::vector<Model
 std::string table_text(const std::vector<BenchRow>& rows, const std::string& executor) {
   constexpr double million = 1e6;
   TextTable table;
-  table.heading = {"model",         "scene", "bearing", "K", "threads", "serial", executor, executor + " / serial",
-                   "of plain dunes"};
+  table.heading = {"model", "scene", "bearing", "K", "threads", "serial", executor, executor + " / serial", "of plain"};
   for (const BenchRow& row : rows) {
     if (row.sweeps == 0) continue;  // the serial figure stands beside each of the others
     table.rows.push_back({row.model, row.scene, fixed_text(row.bearing, 0), std::to_string(row.sweeps),
@@ -66,30 +64,25 @@ std::string table_text(const std::vector<BenchRow>& rows, const std::string& exe
                           fixed_text(row.polls_per_second / row.plain_polls_per_second, 2)});
   }
   return table.aligned() +
-         "\nMillion polls a second, the best of several repeats in which all take turns. Of plain dunes: the same "
-         "executor\nwithout the oblique wind, cover or obstacles.\n";
+         "\nMillion polls a second, the best of several repeats in which all take turns. Of plain: the same executor "
+         "on "
+         "the\nmodel's first scene.\n";
 }
 
-template <typename Kind>
-bool is_a(const ModelType& type) {
+bool flies_grains(const ModelType& type) {
   const auto made = type.make(ParameterValues(type.parameters));
-  return dynamic_cast<const Kind*>(made.get()) != nullptr;
+  return dynamic_cast<const GrainModel*>(made.get()) != nullptr;
 }
 
-/// Takes the models of single grains out of those to measure and returns them. When none is named, all of both kinds
-/// are measured.
+/// Takes the models of single grains out of those to measure and returns them. When none is named, all are measured.
 std::vector<std::string> take_grain_models(BenchOptions& options) {
   std::vector<std::string> wanted = options.models;
   if (wanted.empty()) {
-    for (const ModelType& type : catalogue()) {
-      if (is_a<SlabModel>(type) || is_a<GrainModel>(type)) wanted.push_back(type.info.key);
-    }
+    for (const ModelType& type : catalogue()) wanted.push_back(type.info.key);
   }
   options.models.clear();
   std::vector<std::string> grain_models;
-  for (const std::string& key : wanted) {
-    (is_a<SlabModel>(find_model(key)) ? options.models : grain_models).push_back(key);
-  }
+  for (const std::string& key : wanted) (flies_grains(find_model(key)) ? grain_models : options.models).push_back(key);
   return grain_models;
 }
 
@@ -127,12 +120,11 @@ void add_bench_command(CLI::App& program, Action& action) {
     std::string context = "auto";
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("bench", "Measure the executors on developed dunes");
+  CLI::App* command = program.add_subcommand("bench", "Measure the executors on developed dunes and snow");
   command->add_option("--grid", options->bench.grid, "Cells a side")
       ->capture_default_str()
       ->check(CLI::Range(16, largest_side));
-  command->add_option("--model", options->bench.models,
-                      "Model to measure (may be repeated; default: all of slabs or single grains)");
+  command->add_option("--model", options->bench.models, "Model to measure (may be repeated; default: all)");
   command->add_option("--executor", options->bench.executor, "Executor to measure beside serial: cpu or cuda")
       ->capture_default_str()
       ->check(CLI::IsMember({"cpu", "cuda"}));

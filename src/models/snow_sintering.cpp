@@ -184,7 +184,8 @@ class SnowSintering : public Model {
   void prepare_law(const Terrain& terrain);
   void update_law(const WindNow& wind, StepKey key);
   void load_layers(const Terrain& terrain);
-  void save_layers(Terrain& terrain, bool with_strength, Executor* executor);
+  void hold_fields(std::vector<Field>& fields);
+  void write_strength(const Terrain& terrain, Grid<float>& values, Executor& executor) const;
   int cells(const char* key, double cell_size) const {
     return std::clamp(static_cast<int>(std::lround(values_.real(key) / cell_size)), 0, 200);
   }
@@ -213,9 +214,10 @@ void SnowSintering::begin(Terrain& terrain) {
     fields[loose].values[cell] = static_cast<float>(terrain.mobile()[cell] - hard);
     fields[age].values[cell] = hard > 0 ? static_cast<float>(hours) : 0.0f;
     fields[landed].values[cell] = static_cast<float>(-hours);
+    const int x = static_cast<int>(cell % static_cast<std::size_t>(terrain.nx()));
+    const int y = static_cast<int>(cell / static_cast<std::size_t>(terrain.nx()));
+    fields[strength].values[cell] = snow_strength(law_, x, y, static_cast<int>(hard));
   }
-  load_layers(terrain);
-  save_layers(terrain, true, nullptr);
 }
 
 /// What does not change over the run: tables and scales.
@@ -227,7 +229,7 @@ void SnowSintering::prepare_law(const Terrain& terrain) {
   law_.speed_by_slope = real("speed_by_slope");
   law_.friction = static_cast<float>(friction(values_));
   law_.hop_cells = static_cast<float>(values_.real("hop_factor") / cell_size);
-  law_.clearance = static_cast<float>(values_.real("clearance") / quantum());
+  law_.clearance_16 = static_cast<int>(std::min(16 * values_.real("clearance") / quantum() + 0.5, 2.0 * highest_over));
   law_.rest_loose = real("rest_loose");
   law_.rest_hard = real("rest_hard");
   law_.rest_ground = real("rest_ground");
@@ -277,42 +279,31 @@ void SnowSintering::update_law(const WindNow& wind, StepKey key) {
 }
 
 void SnowSintering::load_layers(const Terrain& terrain) {
-  const std::vector<Field>& fields = terrain.fields();
   const std::size_t count = terrain.extent().cells();
+  const Grid<float>& hard = terrain.fields()[bonded].values;
   layers_.loose.resize(count);
-  layers_.age.assign(fields[age].values.cells().begin(), fields[age].values.cells().end());
-  layers_.landed.assign(fields[landed].values.cells().begin(), fields[landed].values.cells().end());
   for (std::size_t cell = 0; cell < count; ++cell) {
     // Snow that somebody painted is loose; what somebody took away was the loose part first.
-    const auto hard = static_cast<std::int32_t>(fields[bonded].values[cell]);
-    layers_.loose[cell] = std::max(0, terrain.mobile()[cell] - hard);
+    layers_.loose[cell] = std::max(0, terrain.mobile()[cell] - static_cast<std::int32_t>(hard[cell]));
   }
 }
 
-void SnowSintering::save_layers(Terrain& terrain, bool with_strength, Executor* executor) {
-  std::vector<Field>& fields = terrain.edit_fields();
-  const Grid<std::int32_t>& mobile = terrain.mobile();
-  const auto save = [&](std::int64_t begin, std::int64_t end) {
-    for (auto cell = static_cast<std::size_t>(begin); cell < static_cast<std::size_t>(end); ++cell) {
-      const std::int32_t hard = mobile[cell] - layers_.loose[cell];
-      fields[loose].values[cell] = static_cast<float>(layers_.loose[cell]);
-      fields[bonded].values[cell] = static_cast<float>(hard);
-      fields[age].values[cell] = layers_.age[cell];
-      fields[landed].values[cell] = layers_.landed[cell];
-      if (!with_strength) continue;
-      const int x = static_cast<int>(cell % static_cast<std::size_t>(terrain.nx()));
-      const int y = static_cast<int>(cell / static_cast<std::size_t>(terrain.nx()));
-      fields[strength].values[cell] = snow_strength(law_, x, y, hard);
+/// Where the machine finds and leaves the layers that people see.
+void SnowSintering::hold_fields(std::vector<Field>& fields) {
+  layers_.age = fields[age].values.cells();
+  layers_.landed = fields[landed].values.cells();
+  layers_.shown_loose = fields[loose].values.cells();
+  layers_.shown_bonded = fields[bonded].values.cells();
+}
+
+void SnowSintering::write_strength(const Terrain& terrain, Grid<float>& values, Executor& executor) const {
+  const SnowKernels& kernels = snow_kernels(best_instruction_set());
+  executor.for_pieces(terrain.ny(), [&](std::int64_t begin, std::int64_t end) {
+    for (int y = static_cast<int>(begin); y < end; ++y) {
+      const std::size_t row = values.index(0, y);
+      kernels.strength(law_, y, &terrain.mobile()[row], &layers_.loose[row], &values[row], terrain.nx());
     }
-  };
-  const auto count = static_cast<std::int64_t>(mobile.size());
-  if (executor != nullptr) {
-    executor->for_pieces(count, save);
-  } else {
-    save(0, count);
-  }
-  terrain_revision_ = terrain.revision();
-  fields_revision_ = terrain.fields_revision();
+  });
 }
 
 StepReport SnowSintering::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
@@ -320,8 +311,12 @@ StepReport SnowSintering::step(Terrain& terrain, const WindNow& wind, StepKey ke
   update_law(wind, key);
   const double cell_size = terrain.cell_size();
   const SnowMachine::Radii radii{cells("smooth_radius", cell_size), std::max(1, cells("around_radius", cell_size))};
+  std::vector<Field>& fields = terrain.edit_fields();
+  hold_fields(fields);
   const StepReport report = machine_.step(terrain, layers_, law_, radii, shadow_fall(cell_size), wind, key, executor);
-  save_layers(terrain, (key.step + 1) % strength_every == 0, &executor);
+  if ((key.step + 1) % strength_every == 0) write_strength(terrain, fields[strength].values, executor);
+  terrain_revision_ = terrain.revision();
+  fields_revision_ = terrain.fields_revision();
   return report;
 }
 

@@ -1,6 +1,7 @@
 #include "transport/box_mean.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace erg {
 namespace {
@@ -10,44 +11,101 @@ int folded(int at, int count, Boundary boundary) {
   return boundary == Boundary::torus ? wrap(at, count) : std::clamp(at, 0, count - 1);
 }
 
+/// Sums over boxes of a grid, row by row: of columns first, from row to row, then along the row.
+template <typename Number, typename Sum>
+class BoxSums {
+ public:
+  BoxSums(Extent extent, Boundary boundary, int radius, const Number* numbers)
+      : extent_(extent),
+        boundary_(boundary),
+        radius_(radius),
+        numbers_(numbers),
+        columns_(static_cast<std::size_t>(extent.nx + 2 * radius + 1)),
+        sums_(static_cast<std::size_t>(extent.nx)) {}
+
+  /// Calls store(cell, sums) for each row from `begin` to before `end`; `cell` is its first.
+  template <typename Store>
+  void rows(int begin, int end, const Store& store) {
+    for (int y = begin - radius_; y <= begin + radius_; ++y) add<1>(y);
+    for (int y = begin; y < end; ++y) {
+      add_up_row();
+      store(cell(y), sums_.data());
+      add<1>(y + radius_ + 1);
+      add<-1>(y - radius_);
+    }
+  }
+
+ private:
+  std::size_t cell(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(extent_.nx); }
+
+  template <int sign>
+  void add(int y) {
+    const Number* from = numbers_ + cell(folded(y, extent_.ny, boundary_));
+    Sum* columns = columns_.data() + radius_;
+    for (int x = 0; x < extent_.nx; ++x) columns[x] = static_cast<Sum>(columns[x] + static_cast<Sum>(sign) * from[x]);
+  }
+
+  void add_up_row() {
+    Sum* columns = columns_.data() + radius_;
+    for (int k = 1; k <= radius_; ++k) columns[-k] = columns[folded(-k, extent_.nx, boundary_)];
+    for (int k = extent_.nx; k <= extent_.nx + radius_; ++k) columns[k] = columns[folded(k, extent_.nx, boundary_)];
+    Sum sum = 0;
+    for (int x = -radius_; x <= radius_; ++x) sum += columns[x];
+    for (int x = 0; x < extent_.nx; ++x) {
+      sums_[static_cast<std::size_t>(x)] = sum;
+      sum += columns[x + radius_ + 1] - columns[x - radius_];
+    }
+  }
+
+  const Extent extent_;
+  const Boundary boundary_;
+  const int radius_;
+  const Number* numbers_;
+  std::vector<Sum> columns_;  // with radius_ more before and radius_ + 1 behind
+  std::vector<Sum> sums_;
+};
+
+template <typename Sum, typename Number, typename Store>
+void sum_boxes(Extent extent, Boundary boundary, int radius, const std::vector<Number>& numbers, Executor& executor,
+               const Store& store) {
+  executor.for_pieces(extent.ny, [&](std::int64_t begin, std::int64_t end) {
+    BoxSums<Number, Sum>(extent, boundary, radius, numbers.data())
+        .rows(static_cast<int>(begin), static_cast<int>(end), store);
+  });
+}
+
 }  // namespace
 
-void box_sum(Extent extent, Boundary boundary, int radius, const std::vector<std::int64_t>& in,
-             std::vector<std::int64_t>& scratch, std::vector<std::int64_t>& out, Executor& executor) {
-  const int nx = extent.nx;
-  const int ny = extent.ny;
-  const auto row = [nx](int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx); };
-  scratch.resize(in.size());
-  out.resize(in.size());
-  executor.for_pieces(ny, [&](std::int64_t begin, std::int64_t end) {
-    for (int y = static_cast<int>(begin); y < end; ++y) {
-      const std::int64_t* from = in.data() + row(y);
-      std::int64_t* to = scratch.data() + row(y);
-      std::int64_t sum = 0;
-      for (int x = -radius; x <= radius; ++x) sum += from[folded(x, nx, boundary)];
-      for (int x = 0; x < nx; ++x) {
-        to[x] = sum;
-        const int enters = x + radius + 1;
-        const int leaves = x - radius;
-        sum += enters < nx ? from[enters] : from[folded(enters, nx, boundary)];
-        sum -= leaves >= 0 ? from[leaves] : from[folded(leaves, nx, boundary)];
+void BoxMean::measure(Extent extent, Boundary boundary, int radius, bool twice,
+                      const std::vector<std::uint32_t>& numbers, std::uint32_t most, std::vector<float>& means,
+                      Executor& executor) {
+  const auto width = static_cast<std::size_t>(extent.nx);
+  const std::uint64_t square = static_cast<std::uint64_t>(2 * radius + 1) * static_cast<std::uint64_t>(2 * radius + 1);
+  const std::uint64_t all = twice ? square * square : square;
+  const auto share = static_cast<float>(1 / static_cast<double>(all));
+  means.resize(extent.cells());
+  const auto with = [&](auto& sums) {
+    using Sum = typename std::remove_reference_t<decltype(sums)>::value_type;
+    const auto store_means = [&](std::size_t first, const Sum* row) {
+      // Sums stay below 2^63, so they may be converted as signed numbers, which is quicker.
+      for (std::size_t x = 0; x < width; ++x) {
+        means[first + x] = static_cast<float>(static_cast<std::make_signed_t<Sum>>(row[x])) * share;
       }
-    }
-  });
-  executor.for_pieces(ny, [&](std::int64_t begin, std::int64_t end) {
-    std::vector<std::int64_t> sums(static_cast<std::size_t>(nx));
-    const auto add = [&](int y, std::int64_t sign) {
-      const std::int64_t* from = scratch.data() + row(folded(y, ny, boundary));
-      for (int x = 0; x < nx; ++x) sums[static_cast<std::size_t>(x)] += sign * from[x];
     };
-    const int first = static_cast<int>(begin);
-    for (int y = first - radius; y <= first + radius; ++y) add(y, 1);
-    for (int y = first; y < end; ++y) {
-      std::copy(sums.begin(), sums.end(), out.begin() + static_cast<std::ptrdiff_t>(row(y)));
-      add(y + radius + 1, 1);
-      add(y - radius, -1);
+    if (!twice) {
+      sum_boxes<Sum>(extent, boundary, radius, numbers, executor, store_means);
+      return;
     }
-  });
+    sums.resize(extent.cells());
+    sum_boxes<Sum>(extent, boundary, radius, numbers, executor,
+                   [&](std::size_t first, const Sum* row) { std::copy(row, row + width, sums.data() + first); });
+    sum_boxes<Sum>(extent, boundary, radius, sums, executor, store_means);
+  };
+  if (static_cast<double>(all) * most < 0x1p31) {
+    with(sums_);
+  } else {
+    with(wide_sums_);
+  }
 }
 
 }  // namespace erg

@@ -1,5 +1,4 @@
-// Means over squares of cells, as exact integer sums: the same for any number of threads and however the grid is
-// turned.
+// Means over squares of cells from exact whole sums: the same for any number of threads and however the grid is turned.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +10,16 @@
 
 namespace erg {
 
-/// out = sum of `in` over the square of 2 radius + 1 cells around each cell. Over the edges the grid goes on (torus) or
-/// repeats its outermost cells (open). `scratch` is for the work only.
-void box_sum(Extent extent, Boundary boundary, int radius, const std::vector<std::int64_t>& in,
-             std::vector<std::int64_t>& scratch, std::vector<std::int64_t>& out, Executor& executor);
+class BoxMean {
+ public:
+  /// means = means over the squares of 2 radius + 1 cells around each cell; with `twice` the means of these means. Over
+  /// the edges the grid goes on (torus) or repeats its outermost cells (open). No number may be over `most`.
+  void measure(Extent extent, Boundary boundary, int radius, bool twice, const std::vector<std::uint32_t>& numbers,
+               std::uint32_t most, std::vector<float>& means, Executor& executor);
+
+ private:
+  std::vector<std::uint32_t> sums_;
+  std::vector<std::uint64_t> wide_sums_;  ///< where 32 bits cannot hold the sums
+};
 
 }  // namespace erg

@@ -2,7 +2,6 @@
 // that flies comes down, what an impact frees, when loose snow slides and bonds. Plain arithmetic, no state, no libm.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 #include "core/cell_rule.h"
@@ -17,12 +16,12 @@ struct OctaveTable {
   float values[8 * octaves + 1] = {};
 
   ERG_CELL_RULE float at(float x) const {
-    constexpr std::uint32_t lowest = static_cast<std::uint32_t>(127 + lowest_octave) << 23;
-    const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
-    if (!(x > 0) || bits <= lowest) return values[0];
-    const std::uint32_t place = bits - lowest;
-    const std::uint32_t index = place >> 20;
-    if (index >= 8 * octaves) return values[8 * octaves];
+    constexpr int lowest = (127 + lowest_octave) << 23;
+    constexpr int highest = ((127 + lowest_octave + octaves) << 23) - 1;
+    const float positive = x > 0x1p-16f ? x : 0x1p-16f;
+    const int bits = __builtin_bit_cast(int, positive);
+    const int place = (bits < highest ? bits : highest) - lowest;
+    const int index = place >> 20;
     const float share = static_cast<float>(place & 0xfffff) * 0x1p-20f;
     return values[index] + (values[index + 1] - values[index]) * share;
   }
@@ -44,7 +43,7 @@ struct SnowLaw {
   // Loose snow.
   float threshold = 8;   ///< m/s at 10 m, of snow that landed an hour ago
   float lift_scale = 0;  ///< chance to lift = scale * u*t / u* * (u*^2 - u*t^2) / hop
-  float clearance = 0;   ///< slabs: ground higher than a slab's start by more ends its hop
+  int clearance_16 = 0;  ///< 1/16 slabs: ground higher than a slab's start by more ends its hop
   float hop_cells = 1;   ///< factor of the table of hops, cells
   float rest_loose = 0.6f;
   float rest_hard = 0.02f;
@@ -89,29 +88,103 @@ ERG_CELL_RULE float local_wind(const SnowLaw& law, float over, float slope) {
   return law.wind * (factor < law.least_speed ? law.least_speed : (factor > law.most_speed ? law.most_speed : factor));
 }
 
-/// Length of a hop in a local wind, cells.
+/// Length of a hop in a local wind, cells. Longer hops than `longest_hop` are not counted further.
+inline constexpr float longest_hop = 1000;
 ERG_CELL_RULE float hop_cells(const SnowLaw& law, float speed) {
-  return law.hop_cells * law.hop.at(law.friction * speed);
+  const float cells = law.hop_cells * law.hop.at(law.friction * speed);
+  return cells < longest_hop ? cells : longest_hop;
+}
+
+/// A chance as one of 65536, which 16 random bits are compared with.
+ERG_CELL_RULE std::uint32_t chance_16(float chance) {
+  const int scaled = static_cast<int>((chance < 1 ? chance : 1.0f) * 65536);
+  return static_cast<std::uint32_t>(scaled < 65535 ? scaled : 65535);
 }
 
 /// Chance in 1/65536 that loose snow lifts in a step; `rest`: hours since it landed.
 ERG_CELL_RULE std::uint32_t lift_chance(const SnowLaw& law, float speed, float rest) {
   const float age = rest > law.step_hours ? rest : law.step_hours;
   const float threshold = law.threshold + law.age_threshold.at(age);
-  if (!(speed > threshold)) return 0;
-  const float moving = law.friction * speed;
-  const float still = threshold > 1 ? law.friction * threshold : law.friction;
-  const float flux = still / moving * (moving * moving - still * still);
-  const float chance = law.lift_scale * flux / hop_cells(law, speed);
-  return chance < 1 ? static_cast<std::uint32_t>(chance * 65536) : 65536u;
+  const float moving = law.friction * (speed > 0.001f ? speed : 0.001f);
+  const float still = law.friction * (threshold > 1 ? threshold : 1.0f);
+  const float excess = moving * moving - still * still;
+  const float flux = still / moving * (excess > 0 ? excess : 0.0f);
+  return chance_16(law.lift_scale * flux / hop_cells(law, speed));
 }
 
 /// Chance in 1/65536 that the wind alone frees and lifts a slab of bonded snow of this age (h) in a step.
 ERG_CELL_RULE std::uint32_t entrainment_chance(const SnowLaw& law, float speed, float age) {
   const float excess = speed * speed / (law.bonded_threshold * law.bonded_threshold) - 1;
-  if (!(excess > 0)) return 0;
-  const float chance = law.entrainment * excess / law.hardening.at(age > 1 ? age : 1);
-  return chance < 1 ? static_cast<std::uint32_t>(chance * 65536) : 65536u;
+  return chance_16(law.entrainment * (excess > 0 ? excess : 0.0f) / law.hardening.at(age > 1 ? age : 1.0f));
+}
+
+/// How readily impacts free snow of mean strength and of this age (h) in a local wind: the chance of a full hop's
+/// impact straight into the surface, which may be over 1.
+ERG_CELL_RULE float abrasion_power(const SnowLaw& law, float speed, float age) {
+  const float excess = speed * speed / (law.bonded_threshold * law.bonded_threshold) - 1;
+  return law.abrasion * (excess > 0 ? excess : 0.0f) / law.hardening.at(age);
+}
+
+/// The part of an impact's power that goes into the surface. `rise`: slabs from the cell upwind.
+ERG_CELL_RULE float impact_share(const SnowLaw& law, float rise) {
+  const float slope = rise * law.slope_scale;
+  const float across = law.sine + slope * law.cosine;
+  return across > 0 ? across * across / (1 + slope * slope) : 0.0f;
+}
+
+/// What a step's weather makes of a cell, packed so that a flight reads it at once. Fixed for the step.
+struct SnowWeather {
+  std::uint32_t chances;  ///< to lift, of 65536: of loose snow in the lower half, of bonded snow in the upper
+  std::uint32_t hops;  ///< mean hop in 1/64 rows, 0 where every slab stays; upper half: abrasion power, a short float
+  std::int32_t over;   ///< surface over the smoothed surface, 1/16 slabs, at most `highest_over` either way
+};
+inline constexpr int highest_over = 32000;
+
+/// The upper half of a float's bits, rounded: 8 binary digits.
+ERG_CELL_RULE std::uint32_t short_float(float value) {
+  return (__builtin_bit_cast(std::uint32_t, value) + 0x8000u) & 0xffff0000u;
+}
+ERG_CELL_RULE float abrasion_of(std::uint32_t hops) { return __builtin_bit_cast(float, hops & 0xffff0000u); }
+ERG_CELL_RULE std::uint32_t mean_hop_64(std::uint32_t hops) { return hops & 0xffffu; }
+
+/// What a cell's weather is made from.
+struct SnowPlace {
+  float level = 0;   ///< smoothed surface, slabs
+  float around = 0;  ///< mean of its surroundings
+  float slope = 0;   ///< of the smoothed surface along the wind
+  std::int32_t surface = 0;
+  float rest = 0;          ///< hours since a slab last landed
+  float age = 0;           ///< of the bonded snow, h
+  std::uint32_t dark = 0;  ///< 1 in the wind shadow
+};
+
+/// `rows`: of the wind's frame for one cell along the wind (the cosine of the wind's angle with the grid).
+ERG_CELL_RULE SnowWeather snow_weather(const SnowLaw& law, const SnowPlace& place, float rows) {
+  const float speed = local_wind(law, place.level - place.around, place.slope);
+  const std::uint32_t loose = lift_chance(law, speed, place.rest);
+  const std::uint32_t hard = entrainment_chance(law, speed, place.age);
+  const int hop_64 = static_cast<int>(hop_cells(law, speed) * rows * 64 + 0.5f);
+  const float over = (static_cast<float>(place.surface) - place.level) * 16;
+  const float bounded = over < highest_over ? (over > -highest_over ? over : -highest_over) : highest_over;
+  SnowWeather weather{};
+  const std::uint32_t lit = place.dark - 1;  // all ones where light
+  weather.chances = (loose | hard << 16) & lit;
+  weather.hops =
+      (static_cast<std::uint32_t>(hop_64 > 1 ? hop_64 : 1) & lit) | short_float(abrasion_power(law, speed, place.age));
+  weather.over = static_cast<std::int32_t>(bounded);
+  return weather;
+}
+
+/// Rows of a hop. Hops of one wind differ: half to one and a half times the mean, rounded at random; at least one.
+ERG_CELL_RULE int snow_hop_rows(std::uint32_t hops, std::uint32_t random) {
+  const std::uint32_t rows = (mean_hop_64(hops) * (128 + (random >> 24)) + (random & 0x3fff)) >> 14;
+  return static_cast<int>(rows > 1 ? rows : 1);
+}
+ERG_CELL_RULE int longest_snow_hop(std::uint32_t mean_64) { return static_cast<int>((mean_64 * 384 >> 14) + 2); }
+
+/// Height over the smoothed surface at which a slab that leaves here flies; higher ground ends its hop.
+ERG_CELL_RULE int flying_height(int over, int clearance_16) {
+  return over + clearance_16 < highest_over ? over + clearance_16 : highest_over;
 }
 
 /// Noise of a lattice that closes over the edges, 0 to 1, stretched.
@@ -130,8 +203,9 @@ ERG_CELL_RULE float strength_noise(const SnowLaw& law, int x, int y, int height)
     const float share_u = corner & 1 ? u - static_cast<float>(column) : 1 - (u - static_cast<float>(column));
     const float share_v = corner & 2 ? v - static_cast<float>(row) : 1 - (v - static_cast<float>(row));
     const float share_w = corner & 4 ? w - static_cast<float>(layer) : 1 - (w - static_cast<float>(layer));
-    const std::uint64_t place = static_cast<std::uint64_t>(r % law.noise_rows) << 40 ^
-                                static_cast<std::uint64_t>(c % law.noise_columns) << 20 ^ static_cast<std::uint64_t>(l);
+    const std::uint64_t place = static_cast<std::uint64_t>(r < law.noise_rows ? r : r - law.noise_rows) << 40 ^
+                                static_cast<std::uint64_t>(c < law.noise_columns ? c : c - law.noise_columns) << 20 ^
+                                static_cast<std::uint64_t>(l);
     sum += share_u * share_v * share_w * unit_24(static_cast<std::uint32_t>(mix64(law.noise_word ^ place) >> 40));
   }
   const float stretched = 0.5f + 2.0f * (sum - 0.5f);
@@ -151,16 +225,23 @@ ERG_CELL_RULE float snow_strength(const SnowLaw& law, int x, int y, int height) 
   return strength;
 }
 
-/// Chance that an impact frees a bonded slab. `rise`: slabs from the cell upwind; `flown`: share of the hop; `age`: h.
-ERG_CELL_RULE float abrasion_chance(const SnowLaw& law, float speed, float rise, float flown, float age,
-                                    float strength) {
-  const float excess = speed * speed / (law.bonded_threshold * law.bonded_threshold) - 1;
-  if (!(excess > 0)) return 0;
-  const float slope = rise * law.slope_scale;
-  const float across = law.sine + slope * law.cosine;
-  if (!(across > 0)) return 0;
-  const float square = across * across / (1 + slope * slope);
-  return law.abrasion * square * excess * flown / (law.hardening.at(age) * strength);
+/// Whether an impact of this power might free a slab of the weakest snow, for a drawn share: most need no look at the
+/// noise of strength. It does where drawn * snow_strength < power.
+ERG_CELL_RULE bool may_free(const SnowLaw& law, float drawn, float power) {
+  return drawn * law.strength_table[0] * law.strength_table[0] < power;
+}
+
+/// Snow of a cell in a strip of lines: loose slabs, and all slabs in the upper half.
+ERG_CELL_RULE std::uint32_t snow_word(std::int32_t loose, std::int32_t mobile) {
+  return static_cast<std::uint32_t>(loose) | static_cast<std::uint32_t>(mobile) << 16;
+}
+ERG_CELL_RULE std::int32_t loose_of(std::uint32_t snow) { return static_cast<std::int32_t>(snow & 0xffff); }
+ERG_CELL_RULE std::int32_t mobile_of(std::uint32_t snow) { return static_cast<std::int32_t>(snow >> 16); }
+
+/// The chance of 65536 that a slab lifts here: of loose snow where there is any, else of bonded snow.
+ERG_CELL_RULE std::uint32_t lift_chance_of(std::uint32_t snow, std::uint32_t chances) {
+  const std::uint32_t hard = (snow >> 16) != 0 ? chances >> 16 : 0;
+  return (snow & 0xffff) != 0 ? chances & 0xffff : hard;
 }
 
 /// Loose slabs that bond in a step, of `loose`, rounded by 24 random bits.
@@ -168,6 +249,25 @@ ERG_CELL_RULE int bonding_slabs(const SnowLaw& law, int loose, std::uint32_t ran
   const float expected = static_cast<float>(loose) * law.bonding;
   const int whole = static_cast<int>(expected + unit_24(random));
   return whole < loose ? whole : loose;
+}
+
+/// Snow that rests in a cell.
+struct RestingSnow {
+  std::int32_t mobile;
+  std::int32_t loose;
+  float age;   ///< of the bonded part, h
+  float rest;  ///< hours since a slab last landed
+};
+
+/// A step later: loose snow bonds from below; bonded snow grows older.
+ERG_CELL_RULE RestingSnow rested(const SnowLaw& law, const RestingSnow& snow, std::uint32_t random) {
+  const float bonded = static_cast<float>(snow.mobile - snow.loose);
+  const float age = bonded > 0 ? snow.age + law.step_hours : 0.0f;
+  const int bonding = bonding_slabs(law, snow.loose, random >> 8);
+  const auto joining = static_cast<float>(bonding);
+  const float together = bonded + joining;
+  const float mixed = (age * bonded + (snow.rest + law.step_hours) * joining) / (together > 1 ? together : 1.0f);
+  return {snow.mobile, snow.loose - bonding, bonding > 0 ? mixed : age, snow.rest};
 }
 
 }  // namespace erg

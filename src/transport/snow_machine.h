@@ -1,21 +1,22 @@
 // Carries out the snow law on a terrain: what a time step of drifting, bonding snow does.
 //
-// A step has four phases. *Weather*: the smoothed surface, the wind over it, the wind shadow and each cell's chance to
-// lift, all from the surface at the beginning of the step. *Flights*: on an executor without sub-sweeps one slab after
-// the other, each seeing what the last one left; else in K sub-sweeps, in each of which every thread decides the
-// flights of its cells on a surface that nobody changes, and then all changes (whole numbers, which commute) are
-// written. *Slides*: loose snow down too steep edges, class by class of edges that share no cell. *Rest*: snow falls,
-// bonds and ages. Both ways use the rules of snow_cell.h; results depend on no number of threads.
+// A step has four phases. *Weather*: the smoothed surface, the wind over it, the wind shadow, and from them each cell's
+// chances, hops and height for this step. *Flights*: on an executor without sub-sweeps one slab after the other in
+// random order, each seeing what the last one left; else SnowFlights. *Slides*: loose snow down too steep edges, class
+// by class of edges that share no cell. *Rest*: snow falls, bonds and ages. Both ways use the rules of snow_cell.h;
+// results depend on no number of threads and no instruction set.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "core/terrain.h"
+#include "transport/box_mean.h"
 #include "transport/executor.h"
 #include "transport/snow_cell.h"
+#include "transport/snow_flights.h"
 #include "wind/wind_frame.h"
 
 namespace erg {
@@ -23,55 +24,48 @@ namespace erg {
 /// The layers of a snow terrain besides its heights, in the terrain's order.
 struct SnowLayers {
   std::vector<std::int32_t> loose;  ///< slabs on top that have not bonded
-  std::vector<float> age;           ///< mean age of the bonded part, h
-  std::vector<float> landed;        ///< when a slab last came down, h since the beginning
+  std::span<float> age;             ///< mean age of the bonded part, h
+  std::span<float> landed;          ///< when a slab last came down, h since the beginning
+  std::span<float> shown_loose;     ///< written at the end of a step: `loose`, and what lies under it
+  std::span<float> shown_bonded;
 };
 
 class SnowMachine {
  public:
+  explicit SnowMachine(InstructionSet instructions = best_instruction_set()) : instructions_(instructions) {}
+
   /// Cells from the middle to the edge of the boxes over which means are taken.
   struct Radii {
     int smooth = 3;   ///< for the smoothed surface
     int around = 10;  ///< for its surroundings
   };
-  /// One time step. `shadow_fall`: slabs a cell.
+  /// One time step. `shadow_fall`: slabs a cell. Throws InputError if the snow has grown too high to be counted.
   StepReport step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, Radii radii, double shadow_fall,
                   const WindNow& wind, StepKey key, Executor& executor);
 
  private:
-  enum class Change : std::uint8_t { lift, land, free };
-  struct Event {
-    std::uint32_t cell;
-    Change change;
-  };
-  struct Batch {
-    std::vector<Event> events;
-    StepReport report;
-  };
   struct Place {
     int u;
     int v;
   };
 
+  void measure_heights();
   void measure_weather(double shadow_fall);
-  void measure_line(int line, double shadow_fall, int start_row);
+  void find_shadow(double shadow_fall);
+  void shade_lines(int first, int end, double shadow_fall);
+  std::uint32_t make_weather(int y);
   void fly_one_by_one();
-  void fly_in_sweeps(int sweeps);
-  void poll_lines(std::int64_t begin, std::int64_t end, int sweep, int sweeps, const std::uint8_t* rows);
-  void write_events();
-  template <typename Sink>
-  void poll(Place place, std::uint64_t word, Sink& sink) const;
-  template <typename Sink>
-  void fly(Place place, std::uint64_t word, Sink& sink, bool enters) const;
-  template <typename Sink>
-  void let_drift_enter(Sink& sink) const;
-  template <typename Sink>
-  void strike(std::size_t cell, std::size_t from, float flown, std::uint32_t random, Sink& sink) const;
-  template <typename Visit>
-  void for_frame(int width, int length, const Visit& visit) const;
+  void poll(Place place, std::uint64_t word);
+  void fly(Place place, std::uint64_t word, bool enters);
+  void let_drift_enter();
+  bool strikes(std::size_t here, std::size_t from, float flown, std::uint32_t random) const;
+  void fly_in_sweeps();
   void slide();
   void slide_class(bool along, int odd);
+  void slide_in_row(std::size_t row, int first);
+  void slide_between_rows(std::size_t a, std::size_t b);
   void slide_edge(std::size_t a, std::size_t b);
+  bool any_steep(std::size_t a, std::size_t b, int count) const;
   void let_snow_fall();
   void rest();
 
@@ -79,8 +73,14 @@ class SnowMachine {
   std::uint64_t number(int u, int v) const {
     return static_cast<std::uint64_t>(u) * static_cast<std::uint64_t>(frame_.length) + static_cast<std::uint64_t>(v);
   }
+  static std::uint64_t cell_word(std::uint64_t word, std::uint64_t number) {
+    return mix64(word + 0x9e3779b97f4a7c15u * (number + 1));
+  }
+  bool along_x() const { return frame_.step_v == 1 || frame_.step_v == -1; }
   bool inside(int& u, int& v) const;
   std::int32_t surface(std::size_t cell) const { return bedrock_[cell] + mobile_[cell]; }
+
+  const InstructionSet instructions_;
 
   // Of the step under way.
   const SnowLaw* law_ = nullptr;
@@ -94,17 +94,25 @@ class SnowMachine {
   Radii radii_;
   WindFrame frame_;
   StepKey key_;
-  std::int64_t tangent_24_ = 0;
   StepReport report_;
 
   // Weather of the step, one value a cell.
-  std::vector<std::int64_t> height_, scratch_, smooth_, around_;
-  std::vector<float> relative_;        ///< surface over the smoothed surface, slabs
-  std::vector<float> speed_;           ///< local wind, m/s
-  std::vector<std::uint8_t> dark_;     ///< 1 in the wind shadow
-  std::vector<std::uint32_t> chance_;  ///< to lift, of 65536
+  std::int32_t low_ = 0;  ///< lowest surface
+  std::int32_t high_ = 0;
+  bool relief_ = false;
+  std::vector<std::uint32_t> height_;  ///< surface over the lowest surface
+  BoxMean means_;
+  std::vector<float> level_;   ///< smoothed height
+  std::vector<float> around_;  ///< mean height of the surroundings
+  std::vector<std::uint8_t> dark_;
+  std::vector<std::uint32_t> chances_;  ///< SnowWeather
+  std::vector<std::uint32_t> hops_;
+  std::vector<std::int16_t> over_;
+  std::uint32_t longest_mean_hop_ = 0;
+
+  SnowFlights flights_;
   std::mutex mutex_;
-  std::vector<Batch> batches_;
+  std::vector<std::vector<std::uint32_t>> fallen_;
   std::vector<std::uint32_t> order_;
 };
 

@@ -1,0 +1,42 @@
+// Whole models at work, for `erg bench`: scenes that have grown, and runs that go on from them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/simulation.h"
+
+namespace erg {
+
+struct BenchOptions;
+
+/// A scene on which a model's whole steps are measured.
+struct ModelScene {
+  std::string name;
+  Config config;
+  RunState grown;
+};
+
+/// Grows the scenes of a model that does more than to hand over a law of slabs: plants and snow. The first is the plain
+/// one. Says on standard error what it is at.
+std::vector<ModelScene> grow_scenes(const std::string& model, const BenchOptions& options);
+
+/// A run that goes on from a scene on an executor; where nothing moves any more it begins anew.
+class ModelRun {
+ public:
+  ModelRun(const ModelScene& scene, const ExecutorOptions& options);
+  /// One step; its polls.
+  std::int64_t step();
+  const Terrain& terrain() { return simulation_->terrain(); }
+  Executor& executor() { return simulation_->executor(); }
+
+ private:
+  void begin();
+
+  const ModelScene& scene_;
+  Config config_;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+}  // namespace erg

@@ -1,0 +1,131 @@
+#include "transport/snow_flights.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "transport/fixed_point.h"
+#include "transport/slab_cell.h"
+#include "transport/sub_sweep.h"
+
+namespace erg {
+namespace {
+
+/// What the random words of the flights are for; each has a key space of its own.
+enum FlightWord : std::uint64_t { sweeps = 80, rows, lines };
+
+}  // namespace
+
+StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Executor& executor) {
+  plan_ = plan;
+  plan_.kernels = &snow_kernels(instructions);
+  plan_.reach = longest_snow_hop(plan.longest_mean_hop);
+  plan_.ring_rows = static_cast<int>(std::bit_ceil(static_cast<unsigned>(plan_.reach + 1)));
+  draw_lines();
+  draw_sweeps();
+  const int width = plan_.frame.width;
+  strips_.resize(static_cast<std::size_t>((width + snow_lines - 1) / snow_lines));
+  const auto count = static_cast<std::int64_t>(strips_.size());
+  executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      const int first = static_cast<int>(k) * snow_lines;
+      strips_[k].load(plan_, first, std::min(snow_lines, width - first));
+      fly_strip(strips_[k]);
+      if (lines_close()) strips_[k].store();
+    }
+  });
+  if (!lines_close()) {
+    bring_down(executor);
+    executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) strips_[k].store();
+    });
+  }
+  StepReport report;
+  std::int64_t rows_flown = 0;
+  for (const SnowStrip& strip : strips_) {
+    report.lifts += strip.counts().lifts;
+    report.slabs_in += strip.counts().slabs_in;
+    report.slabs_out += strip.counts().slabs_out;
+    rows_flown += strip.counts().rows_flown;
+  }
+  report.travel = static_cast<double>(rows_flown);
+  return report;
+}
+
+/// Where the lines of this step run. Their drift is a whole number of columns over the grid, right in the mean.
+void SnowFlights::draw_lines() {
+  const WindFrame& frame = plan_.frame;
+  std::int64_t phase = 0;
+  plan_.drift = 0;
+  if (frame.tangent > 0) {
+    const auto tangent_24 = static_cast<std::int64_t>(frame.tangent * 0x1p24);
+    plan_.drift = (frame.length * tangent_24 + random_below(plan_.key, 0, 0, lines, 1u << 24)) >> 24;
+    phase = random_below(plan_.key, 0, 1, lines, static_cast<std::uint32_t>(frame.length));
+  }
+  offsets_.resize(static_cast<std::size_t>(frame.length + plan_.reach + 2));
+  for (int row = -1; row <= frame.length + plan_.reach; ++row) {
+    const std::int32_t offset = line_offset(row, plan_.drift, phase, frame.length);
+    offsets_[static_cast<std::size_t>(row + 1)] = wrap(offset, frame.width);
+  }
+  plan_.offsets = offsets_.data();
+}
+
+/// The sub-sweeps, and as many passes without polls as the longest flight takes.
+void SnowFlights::draw_sweeps() {
+  sweeps_.resize(static_cast<std::size_t>(plan_.sweeps + longest_flight + 1));
+  const auto step_key = static_cast<std::uint32_t>(random_word(plan_.key, 0, 1, sweeps));
+  for (std::size_t number = 0; number < sweeps_.size(); ++number) {
+    SnowSweep& sweep = sweeps_[number];
+    sweep.polls = number < static_cast<std::size_t>(plan_.sweeps);
+    sweep.last = number + 1 == sweeps_.size();
+    sweep.step_key = step_key;
+    sweep.key = static_cast<std::uint32_t>(random_word(plan_.key, number, 0, sweeps));
+    if (!sweep.polls) continue;
+    std::uint8_t polled[256];
+    permute_rows(plan_.key, 0, rows, static_cast<int>(number), plan_.sweeps, polled);
+    std::copy(std::begin(polled), std::end(polled), std::begin(sweep.polled_row));
+  }
+}
+
+/// All sub-sweeps of a strip. Lines that close on themselves bring down all that is in the air.
+void SnowFlights::fly_strip(SnowStrip& strip) {
+  const int first = static_cast<int>(&strip - strips_.data()) * snow_lines;
+  std::vector<SnowStrip::Carried> carried;
+  for (std::size_t number = 0; sweeps_[number].polls || (lines_close() && !strip.carried().empty()); ++number) {
+    if (lines_close()) {
+      carried.clear();
+      carried.swap(strip.carried());
+      for (const SnowStrip::Carried& slabs : carried) {
+        strip.receive(static_cast<int>(slabs.line) - first, slabs.row, slabs.load);
+      }
+    }
+    strip.sweep(sweeps_[number]);
+  }
+}
+
+/// Where lines go on in other strips: pass after pass until nothing is in the air.
+void SnowFlights::bring_down(Executor& executor) {
+  for (auto number = static_cast<std::size_t>(plan_.sweeps); hand_over(); ++number) {
+    executor.for_pieces(static_cast<std::int64_t>(strips_.size()), [&](std::int64_t begin, std::int64_t end) {
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+        strips_[k].sweep(sweeps_[number]);
+      }
+    });
+  }
+}
+
+/// Gives what left over the torus edge to the lines that go on there; false if there was nothing.
+bool SnowFlights::hand_over() {
+  bool any = false;
+  const auto width = static_cast<std::uint64_t>(plan_.frame.width);
+  for (SnowStrip& from : strips_) {
+    for (const SnowStrip::Carried& slabs : from.carried()) {
+      const auto line = static_cast<int>((slabs.line + static_cast<std::uint64_t>(plan_.drift)) % width);
+      strips_[static_cast<std::size_t>(line / snow_lines)].receive(line % snow_lines, slabs.row, slabs.load);
+      any = true;
+    }
+    from.carried().clear();
+  }
+  return any;
+}
+
+}  // namespace erg

@@ -1,0 +1,33 @@
+// The flights of a step of sintering snow, on all threads: K sub-sweeps over strips of lines.
+//
+// Each sub-sweep polls a random 1/K of the cells and follows the lines down the wind once: slabs lift, come down, free
+// bonded snow, stay or fly on. What flies over the torus edge goes on in the next sub-sweep, or, where an oblique line
+// goes on as another one there, after the last; then passes without polls bring all of it down. So nothing in one line
+// waits for another, and a strip stays in a processor's cache for all its sub-sweeps.
+#pragma once
+
+#include "transport/snow_strip.h"
+
+namespace erg {
+
+class SnowFlights {
+ public:
+  /// Moves the snow in the plan's layers. The same bits for any number of threads and any instruction set.
+  StepReport fly(SnowFlightPlan plan, InstructionSet instructions, Executor& executor);
+
+ private:
+  void draw_lines();
+  void draw_sweeps();
+  /// Whether each line goes on as itself behind the torus edge, or not at all.
+  bool lines_close() const { return plan_.boundary == Boundary::open || plan_.drift % plan_.frame.width == 0; }
+  void fly_strip(SnowStrip& strip);
+  void bring_down(Executor& executor);
+  bool hand_over();
+
+  SnowFlightPlan plan_;
+  std::vector<int> offsets_;
+  std::vector<SnowSweep> sweeps_;  ///< and the passes without polls that may follow
+  std::vector<SnowStrip> strips_;
+};
+
+}  // namespace erg

@@ -1,0 +1,129 @@
+// The parallel flights of sintering snow, one strip of lines. A line follows the wind through the grid; a strip holds
+// the snow and the weather of its lines side by side, row by row. Slabs in the air wait in a ring of rows for the row
+// where they come down. All that a flight reads is its own line's, so strips need not wait for each other.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/terrain.h"
+#include "transport/aligned_vector.h"
+#include "transport/snow_sweep.h"
+#include "wind/wind_frame.h"
+
+namespace erg {
+
+/// One step's flights: the terrain in its own order, and what is drawn for all strips.
+struct SnowFlightPlan {
+  const SnowLaw* law = nullptr;
+  WindFrame frame;
+  Extent extent;
+  Boundary boundary = Boundary::torus;
+  double inflow = 0;  ///< slabs a line and step, over open edges
+  StepKey key;
+  int sweeps = 8;
+  const std::int32_t* bedrock = nullptr;
+  std::int32_t* mobile = nullptr;
+  std::int32_t* loose = nullptr;
+  float* landed = nullptr;
+  const std::uint32_t* chances = nullptr;  ///< SnowWeather of each cell
+  const std::uint32_t* hops = nullptr;
+  const std::int16_t* over = nullptr;
+  std::uint32_t longest_mean_hop = 0;  ///< 1/64 rows
+  bool relief = false;                 ///< the bedrock is not level
+
+  // Filled in by SnowFlights.
+  std::int64_t drift = 0;        ///< columns that a line moves over the length of the grid
+  int reach = 1;                 ///< rows of the longest hop
+  int ring_rows = 2;             ///< a power of two over `reach`
+  const int* offsets = nullptr;  ///< column of line 0 in each row from -1 to length + reach
+  const SnowKernels* kernels = nullptr;
+};
+
+/// What is drawn for one sub-sweep.
+struct SnowSweep {
+  bool polls = true;
+  bool last = false;           ///< whatever comes down stays
+  std::uint32_t step_key = 0;  ///< the same for all sub-sweeps of a step
+  std::uint32_t key = 0;
+  std::uint32_t polled_row[256] = {};  ///< of a block of K rows, for each random byte
+};
+
+class SnowStrip {
+ public:
+  /// Slabs in the air that have left the strip over the torus edge.
+  struct Carried {
+    std::uint32_t line = 0;  ///< that they have come from
+    int row = 0;             ///< where they come down, counted from the edge
+    std::uint64_t load = 0;
+  };
+  struct Counts {
+    std::int64_t lifts = 0;
+    std::int64_t rows_flown = 0;
+    std::int64_t slabs_in = 0;
+    std::int64_t slabs_out = 0;
+  };
+
+  /// Takes its lines' part of the terrain. `first`: number of its first line.
+  void load(const SnowFlightPlan& plan, int first, int lines);
+  /// One sub-sweep. On a torus what is in the air at the end is added to carried().
+  void sweep(const SnowSweep& sweep);
+  std::vector<Carried>& carried() { return carried_; }
+  /// Puts slabs into the air over one of its lines (numbered from 0).
+  void receive(int line, int row, std::uint64_t load);
+  /// Writes the snow back into the terrain.
+  void store();
+  const Counts& counts() const { return counts_; }
+
+ private:
+  struct Air;
+
+  template <typename Visit>
+  void for_cells(int begin, int end, const Visit& visit) const;
+  void lay_out();
+  void load_beyond_edge();
+  int offset(int row) const { return plan_.offsets[row + 1]; }
+  void find_walls();
+  void find_runs();
+  std::int32_t surface(std::size_t here) const {
+    return mobile_of(cells_[here].snow) + (plan_.relief ? ground_[here] : 0);
+  }
+  int column(int row, int line) const;
+  std::size_t at(int row, int line) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(next_row_) +
+           static_cast<std::size_t>(line) * static_cast<std::size_t>(next_line_);
+  }
+  std::uint64_t& ring(std::int64_t row, int line) {
+    return ring_[static_cast<std::size_t>(row & (plan_.ring_rows - 1)) * snow_lines + static_cast<std::size_t>(line)];
+  }
+  std::uint64_t& arrived(std::int64_t row) { return arrived_[static_cast<std::size_t>(row & (plan_.ring_rows - 1))]; }
+  std::uint64_t find_lifts(int row, const SnowSweep& sweep, std::uint64_t (&lifts)[64]);
+  std::uint64_t line_word(std::uint64_t row_word, int line) const;
+  void arrive(SnowCell& cell, int row, int line, std::uint64_t row_word, bool last, Air& air);
+  int strikes(int row, int line, std::uint64_t load, std::uint32_t word) const;
+  float strength(int row, int line) const;
+  void cross_open_edges(int row, const SnowSweep& sweep);
+  void enter(int row, int line, const SnowSweep& sweep);
+  void drop_out(int row, int line);
+  void leave_grid();
+
+  SnowFlightPlan plan_;
+  int first_ = 0;
+  int lines_ = 0;
+  std::uint32_t rest_loose_ = 0;  ///< chances of 65536
+  std::uint32_t rest_hard_ = 0;
+  std::uint32_t rest_ground_ = 0;
+  std::uint32_t suspension_ = 0;
+  Counts counts_;
+  int next_row_ = snow_lines;  ///< in the layers below: cells lie as they do in the terrain, lines or rows side by side
+  int next_line_ = 1;
+  AlignedVector<SnowCell> cells_;         ///< up to `reach` rows beyond the grid, as all layers
+  AlignedVector<std::int16_t> over_;      ///< SnowWeather
+  AlignedVector<std::int32_t> ground_;    ///< bedrock; empty where it is level
+  std::int32_t upwind_[snow_lines] = {};  ///< surface of the row before the first
+  AlignedVector<std::uint64_t> ring_;     ///< slabs that come down, and in the lower half the shares of hops they flew
+  std::vector<std::uint64_t> arrived_;    ///< one bit a line of the ring's rows
+  std::vector<Carried> carried_;
+};
+
+}  // namespace erg
