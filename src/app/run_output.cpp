@@ -78,6 +78,8 @@ void RunOutput::add_row() {
 }
 
 void RunOutput::write_state() {
+  // First, since a run goes on from it whatever becomes of the others.
+  if (wants("checkpoint")) write_state_checkpoint();
   const Terrain& terrain = simulation_.terrain();
   const Provenance source = provenance_of(simulation_);
   if (wants("png")) {
@@ -100,7 +102,6 @@ void RunOutput::write_state() {
     write_vti(path, terrain, &shadow, source);
     files_.push_back(path);
   }
-  if (wants("checkpoint")) write_state_checkpoint();
   write_meshes(source);
 }
 
@@ -120,6 +121,7 @@ fs::path RunOutput::write_state_checkpoint() {
   fs::path path = numbered(".checkpoint");
   write_checkpoint(path, simulation_.config(), simulation_.state());
   files_.push_back(path);
+  last_checkpoint_ = path;
   return path;
 }
 

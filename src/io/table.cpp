@@ -1,7 +1,9 @@
 #include "io/table.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -36,7 +38,19 @@ std::string comments(const Provenance& provenance) {
 /// Empty where the number is unknown.
 std::string cell_text(double value) { return std::isfinite(value) ? exact_text(value) : std::string(); }
 
-bool keeps(const std::string& row, double first_step) {
+/// One line of the table.
+std::string row_text(std::span<const double> values, std::size_t columns) {
+  if (values.size() != columns) throw std::logic_error("a row of a table needs a value for each column");
+  std::string line;
+  for (std::size_t column = 0; column < columns; ++column) {
+    line += (column == 0 ? "" : ",") + cell_text(values[column]);
+  }
+  return line + "\n";
+}
+
+/// Whether a row is whole and stands before `first_step`.
+bool keeps(const std::string& row, std::size_t columns, double first_step) {
+  if (static_cast<std::size_t>(std::count(row.begin(), row.end(), ',')) + 1 != columns) return false;
   double step = 0;
   const auto result = std::from_chars(row.data(), row.data() + row.size(), step);
   return result.ec == std::errc{} && step < first_step;
@@ -44,13 +58,19 @@ bool keeps(const std::string& row, double first_step) {
 
 }  // namespace
 
-TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : path_(path), columns_(columns) {
-  stream_.open(path, std::ios::app);
-  if (!stream_) throw InputError(path.string(), "cannot be written", "check the folder and its permissions");
+void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                 const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
+  std::string text = comments(provenance) + joined(columns) + "\n";
+  for (const std::vector<double>& row : rows) text += row_text(row, columns.size());
+  write_file_atomically(path, text);
 }
 
+TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : path_(path), columns_(columns) {}
+
 TableFile::TableFile(const std::filesystem::path& path, std::vector<std::string> columns, const Provenance& provenance)
-    : TableFile((write_file_atomically(path, comments(provenance) + joined(columns) + "\n"), path), columns.size()) {}
+    : TableFile(path, columns.size()) {
+  write_table(path, columns, {}, provenance);
+}
 
 TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::string> columns,
                             const Provenance& provenance, double first_step) {
@@ -60,7 +80,8 @@ TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::
   std::string line;
   bool header_seen = false;
   while (std::getline(file, line)) {
-    if (header_seen && !keeps(line, first_step)) continue;
+    // A last line without its end was cut off, perhaps in the middle of a number.
+    if (header_seen && (file.eof() || !keeps(line, columns.size(), first_step))) continue;
     if (!header_seen && !line.starts_with('#')) {
       header_seen = true;
       if (line != joined(columns)) {
@@ -75,14 +96,6 @@ TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::
   return TableFile(path, columns.size());
 }
 
-void TableFile::add(std::span<const double> values) {
-  if (values.size() != columns_) throw std::logic_error("a row of a table needs a value for each column");
-  std::string line;
-  for (std::size_t column = 0; column < values.size(); ++column) {
-    line += (column == 0 ? "" : ",") + cell_text(values[column]);
-  }
-  stream_ << line << '\n' << std::flush;
-  if (!stream_) throw InputError(path_.string(), "cannot be written", "is the disk full?");
-}
+void TableFile::add(std::span<const double> values) { append_to_file(path_, row_text(values, columns_)); }
 
 }  // namespace erg

@@ -26,7 +26,7 @@ class Barrier {
 
 class ThreadTeam {
  public:
-  /// The calling thread is member 0; `size` - 1 threads are started.
+  /// The calling thread is member 0; `size` - 1 threads are started. Throws InputError when the system gives fewer.
   explicit ThreadTeam(int size);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
@@ -40,6 +40,7 @@ class ThreadTeam {
 
  private:
   void serve(int member);
+  void dismiss();
 
   const int size_;
   Barrier barrier_;

@@ -58,6 +58,10 @@ int take_x_error(::Display* display, XErrorEvent* event) {
   fail_without_window(why.data());
 }
 
+// Xlib's own handler ends the program. What can go wrong while the window is there is another program's doing (one that
+// asked for the copied text and is gone), and nothing is lost by it.
+int ignore_x_error(::Display*, XErrorEvent*) { return 0; }
+
 void ignore_warning(const char*, va_list, void*) {}
 
 void look_for_display() {
@@ -242,7 +246,7 @@ Window::Window(const WindowOptions& options) {
   char name[] = "erg";
   char* arguments[] = {name, nullptr};
   glutInitErrorFuncUcall(take_glut_error, nullptr);
-  const XErrorHandler usual = XSetErrorHandler(take_x_error);
+  XSetErrorHandler(take_x_error);
   glutInitWarningFuncUcall(ignore_warning, nullptr);
   glutInit(&count, arguments);
   glutInitContextVersion(3, 3);
@@ -251,7 +255,7 @@ Window::Window(const WindowOptions& options) {
   glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
   glutInitWindowSize(options.width, options.height);
   const int handle = glutCreateWindow(options.title.c_str());
-  XSetErrorHandler(usual);
+  XSetErrorHandler(ignore_x_error);
   load_gl();
   hidden_ = std::make_unique<Hidden>();
   hidden_->handle = handle;

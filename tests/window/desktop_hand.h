@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "../ui/monkey.h"
+
 namespace erg::test {
 
 /// A display without a screen, gone afterwards.
@@ -55,6 +57,17 @@ class DesktopHand {
   /// What the screen shows, as a picture.
   void picture(const std::filesystem::path& path) const;
 
+  /// What a monkey does. Nothing waits for the window to answer.
+  void carry_out(const Deed& deed) const;
+  /// The widgets of now.
+  std::vector<Spot> spots() const;
+  /// Whether the program is still there.
+  bool runs();
+  /// MiB of memory that it holds now; 0 when it is gone.
+  double memory() const;
+  /// Lets go of every button, closes dialogs and quits, as often as it takes.
+  void quit();
+
   /// Waits for the program's end; its exit code, or -1 when a signal ended it.
   int wait();
   std::string errors() const;
@@ -68,11 +81,13 @@ class DesktopHand {
   std::map<std::string, Place> places() const;
   Place place(const std::string& name) const;
   void command(const std::string& words) const;
+  static int code_of(int status);
 
   std::string display_;
   std::filesystem::path map_;
   std::filesystem::path errors_;
   pid_t process_ = -1;
+  int ended_with_ = -1;  ///< when `runs` has seen its end
 };
 
 }  // namespace erg::test
