@@ -15,6 +15,8 @@
 namespace erg {
 namespace {
 
+/// What a run takes beside what grows with its grid: threads, tables, pictures.
+constexpr std::uint64_t beside_the_grid = std::uint64_t{160} << 20;
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 struct Size {
@@ -27,12 +29,25 @@ struct Size {
 
 Size size_of(const Config& config) { return {config.grid.integer("nx"), config.grid.integer("ny")}; }
 
+/// Bytes a cell that a model keeps for itself besides its fields; a model that is not here keeps none. Counted from
+/// what it allocates, with a little room.
+std::uint64_t model_bytes_a_cell(const std::string& model) {
+  static const std::map<std::string, std::uint64_t> bytes{
+      {"nield_baas", 4}, {"snow_packing", 3}, {"snow_sintering", 60}, {"grains", 60}};
+  const auto known = bytes.find(model);
+  return known == bytes.end() ? 0 : known->second;
+}
+
 std::uint64_t terrain_bytes_a_cell(const Config& config) {
   return 2 * sizeof(std::int32_t) + find_model(config.model).fields.size() * sizeof(float);
 }
 
-/// What executor and model keep of a cell besides the terrain.
-std::uint64_t working_bytes_a_cell(const Config& config) { return 8; }
+/// What executor and model keep of a cell besides the terrain. An executor keeps planes of one or two bytes, and
+/// `serial` an order of cells.
+std::uint64_t working_bytes_a_cell(const Config& config) {
+  const std::uint64_t executor = config.run.text("executor") == "serial" ? 6 : 3;
+  return executor + model_bytes_a_cell(config.model);
+}
 
 /// Bytes of all runs and copies together for each cell.
 std::uint64_t bytes_a_cell(std::span<const Config> configs, int copies) {
@@ -108,12 +123,12 @@ void check_memory(std::span<const Config> configs, int copies, std::uint64_t fre
   if (configs.empty()) return;
   const Size size = size_of(configs.front());
   const std::uint64_t a_cell = bytes_a_cell(configs, copies);
-  if (a_cell * size.cells() <= free) return;
-  const Size fits = largest_that_fits(size, free / a_cell);
-  throw InputError("grid",
-                   size.text() + " cells need " + memory_text(a_cell * size.cells()) + " of memory, and " +
-                       memory_text(free) + " are free",
-                   fits.cells() > 4096 ? "a grid of " + fits.text() + " would fit" : "close other programs");
+  const std::uint64_t needed = a_cell * size.cells() + beside_the_grid;
+  if (needed <= free) return;
+  const Size fits = largest_that_fits(size, left_of(free, beside_the_grid) / a_cell);
+  throw InputError(
+      "grid", size.text() + " cells need " + memory_text(needed) + " of memory, and " + memory_text(free) + " are free",
+      fits.cells() > 4096 ? "a grid of " + fits.text() + " would fit" : "close other programs");
 }
 
 std::string problem_of(const std::exception& error) {

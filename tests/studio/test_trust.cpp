@@ -14,6 +14,7 @@
 #include "io/atomic_file.h"
 #include "io/camera_file.h"
 #include "io/config_file.h"
+#include "sim/memory.h"
 #include "small_config.h"
 #include "studio/studio.h"
 
@@ -77,7 +78,7 @@ std::vector<Writer> writers() {
       {"section.csv",
        [](const fs::path& file, int version) {
          const double place = version;
-         write_section(file, {.distance = {place, 1}, .bedrock = {0, 0}, .surface = {1, 2}}, {});
+         write_section(file, {.from = {}, .to = {}, .distance = {place, 1}, .bedrock = {0, 0}, .surface = {1, 2}}, {});
        },
        [](const fs::path& file) { EXPECT_TRUE(read_bytes(file).ends_with("\n1,0,2\n")) << read_bytes(file); }}};
   for (const ExportFormat& format : export_formats()) {
