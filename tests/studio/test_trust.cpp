@@ -18,13 +18,11 @@
 #include "small_config.h"
 #include "studio/studio.h"
 
-namespace erg {
+namespace erg::test::trust {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using test::LimitRestored;
-using test::small_config;
 
 /// A file that the window writes, twice with another content, and what makes sure that it is whole.
 struct Writer {
@@ -140,7 +138,7 @@ TEST(WindowFiles, AFullDiskIsSaidWithTheFileAndLeavesTheOldOne) {
     writer.write(file, 0);
     const auto before = contents(folder.path());
     const LimitRestored restored(RLIMIT_FSIZE);
-    test::limit_files(before.at(file.string()).size() / 2);
+    limit_files(before.at(file.string()).size() / 2);
     try {
       writer.write(file, 1);
       ADD_FAILURE() << "wrote onto a full disk";
@@ -159,7 +157,7 @@ TEST(WindowFiles, AFolderThatMayNotBeWrittenIsSaidWithTheFile) {
   fs::permissions(folder.path(),
                   fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
   {
-    const test::OrdinaryUser user;
+    const OrdinaryUser user;
     for (const Writer& writer : writers()) {
       SCOPED_TRACE(writer.name);
       try {
@@ -183,7 +181,7 @@ TEST(WindowFiles, ASessionThatNoLongerFitsKeepsWhatItHadSaved) {
   const auto later = std::make_shared<const Snapshot>(snapshot_of(3));
   {
     const LimitRestored restored(RLIMIT_FSIZE);
-    test::limit_files(4000);
+    limit_files(4000);
     EXPECT_THROW(session.save(snapshot_of(2)), WriteError);
     std::string problem;
     while (problem.empty()) {
@@ -235,7 +233,7 @@ Config huge() {
 
 TEST_F(ShortMemory, AHugeLandIsRefusedInTheLogAndWhatWasThereStays) {
   const LimitRestored restored(RLIMIT_AS);
-  test::limit_memory(rlim_t{600} << 20);
+  limit_memory(rlim_t{600} << 20);
   studio.setup().replace(huge());
   EXPECT_TRUE(studio.create());
   settle();
@@ -252,7 +250,7 @@ TEST_F(ShortMemory, AHugeLandIsRefusedInTheLogAndWhatWasThereStays) {
 TEST_F(ShortMemory, OpeningAHugeConfigKeepsWhatWasOpen) {
   write_config(folder / "huge.json", huge());
   const LimitRestored restored(RLIMIT_AS);
-  test::limit_memory(rlim_t{600} << 20);
+  limit_memory(rlim_t{600} << 20);
   studio.open(folder / "huge.json");
   settle();
   expect_the_small_land();
@@ -269,7 +267,7 @@ TEST_F(ShortMemory, AComparisonThatDoesNotFitIsRefusedWhereEachRunAloneWouldFit)
   EXPECT_NO_THROW(check_memory(one, 2, free));
   EXPECT_THROW(check_memory(four, 2, free), InputError);
   const LimitRestored restored(RLIMIT_AS);
-  test::limit_memory(rlim_t{600} << 20);
+  limit_memory(rlim_t{600} << 20);
   studio.setup().replace(huge());
   studio.comparison().add_copy_of(0);
   EXPECT_TRUE(studio.create());
@@ -298,4 +296,4 @@ TEST(Runner, AStepWithoutMemoryIsSaidInWordsAndTheRunsStandAsTheyWere) {
 }
 
 }  // namespace
-}  // namespace erg
+}  // namespace erg::test::trust

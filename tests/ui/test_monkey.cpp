@@ -14,11 +14,8 @@
 namespace erg::test {
 namespace {
 
-constexpr float width = 1280;
-constexpr float height = 800;
-
 /// One small preset a model, for the gallery.
-void write_presets(const std::filesystem::path& folder) {
+void write_small_presets(const std::filesystem::path& folder) {
   std::filesystem::create_directory(folder);
   for (const ModelType& type : catalogue()) {
     Config config(type.info.key);
@@ -33,6 +30,8 @@ void write_presets(const std::filesystem::path& folder) {
 
 class MonkeyAtTheShell : public testing::TestWithParam<unsigned> {
  protected:
+  static constexpr ImVec2 screen{1280, 800};
+
   TemporaryFolder folder;
   std::unique_ptr<Studio> studio;
   FlatStage stage;
@@ -42,10 +41,10 @@ class MonkeyAtTheShell : public testing::TestWithParam<unsigned> {
                    studio->tick();
                    shell->draw();
                  },
-                 {width, height}};
+                 screen};
 
   void SetUp() override {
-    write_presets(folder / "presets");
+    write_small_presets(folder / "presets");
     studio = std::make_unique<Studio>(StudioFolders{folder / "settings", folder / "state", folder / "presets"});
     studio->settings().last_folder = folder.path().string();
     studio->setup().replace(small_config());
@@ -88,7 +87,7 @@ class MonkeyAtTheShell : public testing::TestWithParam<unsigned> {
 INSTANTIATE_TEST_SUITE_P(Seeds, MonkeyAtTheShell, testing::Values(1u, 2u, 3u));
 
 TEST_P(MonkeyAtTheShell, BreaksNothing) {
-  Monkey monkey(GetParam(), width, height);
+  Monkey monkey(GetParam(), screen.x, screen.y);
   for (int deed = 0; deed < 1500; ++deed) {
     carry_out(monkey.next(spots()));
     shell->apply_settings();
