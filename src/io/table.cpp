@@ -48,12 +48,13 @@ std::string row_text(std::span<const double> values, std::size_t columns) {
   return line + "\n";
 }
 
-/// Whether a row is whole and stands before `first_step`.
-bool keeps(const std::string& row, std::size_t columns, double first_step) {
-  if (static_cast<std::size_t>(std::count(row.begin(), row.end(), ',')) + 1 != columns) return false;
-  double step = 0;
-  const auto result = std::from_chars(row.data(), row.data() + row.size(), step);
-  return result.ec == std::errc{} && step < first_step;
+/// The first value of a row; not-a-number where the row is not whole.
+double first_value(const std::string& row, std::size_t columns) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (static_cast<std::size_t>(std::count(row.begin(), row.end(), ',')) + 1 != columns) return none;
+  double value = 0;
+  const auto result = std::from_chars(row.data(), row.data() + row.size(), value);
+  return result.ec == std::errc{} ? value : none;
 }
 
 }  // namespace
@@ -79,9 +80,14 @@ TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::
   std::string kept;
   std::string line;
   bool header_seen = false;
+  double last = std::numeric_limits<double>::quiet_NaN();
   while (std::getline(file, line)) {
-    // A last line without its end was cut off, perhaps in the middle of a number.
-    if (header_seen && (file.eof() || !keeps(line, columns.size(), first_step))) continue;
+    if (header_seen) {
+      // A last line without its end was cut off, perhaps in the middle of a number.
+      const double step = file.eof() ? std::numeric_limits<double>::quiet_NaN() : first_value(line, columns.size());
+      if (!(step < first_step)) continue;
+      last = step;
+    }
     if (!header_seen && !line.starts_with('#')) {
       header_seen = true;
       if (line != joined(columns)) {
@@ -93,9 +99,14 @@ TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::
   if (!header_seen) return TableFile(path, std::move(columns), provenance);
   file.close();
   write_file_atomically(path, kept);
-  return TableFile(path, columns.size());
+  TableFile table(path, columns.size());
+  table.last_ = last;
+  return table;
 }
 
-void TableFile::add(std::span<const double> values) { append_to_file(path_, row_text(values, columns_)); }
+void TableFile::add(std::span<const double> values) {
+  append_to_file(path_, row_text(values, columns_));
+  last_ = values.front();
+}
 
 }  // namespace erg

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,12 +31,15 @@ class TableFile {
 
   /// Adds one row: as many values as columns. Throws WriteError; the file then ends with the row before.
   void add(std::span<const double> values);
+  /// The first value of the last row; not-a-number before there is one.
+  double last() const { return last_; }
 
  private:
   TableFile(const std::filesystem::path& path, std::size_t columns);
 
   std::filesystem::path path_;
   std::size_t columns_ = 0;
+  double last_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace erg

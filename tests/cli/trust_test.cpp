@@ -171,7 +171,7 @@ TEST(FullDisk, ARunNamesTheFileAndLeavesTheOlderOneAsItWas) {
 
 TEST(FullDisk, ATableEndsWithAWholeRowAndTheErrorTellsTheWayOn) {
   const ScratchFolder folder;
-  folder.write("small.json", small_config(60));
+  folder.write("small.json", small_config(400));
   // The checkpoints fit, the growing table does not.
   const std::uintmax_t room = 15000;
   const std::vector<std::string> run{"run", "small.json", "--every", "1", "--format", "csv,checkpoint", "--quiet"};
@@ -185,7 +185,7 @@ TEST(FullDisk, ATableEndsWithAWholeRowAndTheErrorTellsTheWayOn) {
   std::istringstream words(ended.errors.substr(way + std::strlen("erg ")));
   std::vector<std::string> resume;
   for (std::string word; words >> word;) resume.push_back(word);
-  resume.insert(resume.end(), {"--every", "1", "--quiet", "--hash"});
+  resume.insert(resume.end(), {"--quiet", "--hash"});
   const Ended resumed = run_erg(folder, resume);
   ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
   EXPECT_EQ(resumed.output, run_erg(folder, {"run", "small.json", "--quiet", "--hash"}).output);

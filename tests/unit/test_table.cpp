@@ -42,6 +42,7 @@ TEST(Table, AResumedRunGoesOnWithoutDoubleRows) {
     for (const double step : {0.0, 10.0, 20.0, 30.0}) table.add(std::array{step, 1.0});
   }
   TableFile table = TableFile::resume(folder / "t.csv", {"step", "height"}, origin, 20);
+  EXPECT_EQ(table.last(), 10);
   table.add(std::array{20.0, 2.0});
   EXPECT_EQ(without_comments(read_bytes(folder / "t.csv")), "step,height\n0,1\n10,1\n20,2\n");
 }

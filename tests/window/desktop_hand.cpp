@@ -172,12 +172,16 @@ void DesktopHand::type(const std::string& text) const {
   command("xdotool type --delay 40 -- '" + text + "' && sleep 0.1");
 }
 
-void DesktopHand::enter(const std::string& name, const std::string& text) const {
+void DesktopHand::edit(const std::string& name) const {
   const Place at = place(name);
   command("xdotool mousemove " + std::to_string((at.left + at.right) / 2) + " " +
           std::to_string((at.top + at.bottom) / 2) +
           " sleep 0.1 keydown ctrl mousedown 1 sleep 0.15 mouseup 1 "
           "keyup ctrl sleep 0.2 key ctrl+a sleep 0.1");
+}
+
+void DesktopHand::enter(const std::string& name, const std::string& text) const {
+  edit(name);
   type(text);
   key("Return");
 }

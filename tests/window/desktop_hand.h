@@ -52,6 +52,8 @@ class DesktopHand {
   /// Keys as xdotool names them: "ctrl+s", "space".
   void key(const std::string& keys) const;
   void type(const std::string& text) const;
+  /// Opens an entry or a slider for typing, all of it selected.
+  void edit(const std::string& name) const;
   /// Replaces what an entry or a slider holds.
   void enter(const std::string& name, const std::string& text) const;
   /// What the screen shows, as a picture.

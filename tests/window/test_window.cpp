@@ -116,8 +116,7 @@ TEST(Window, AProgramThatAsksForTheCopiedTextAndGoesDoesNoHarm) {
   const Display display;
   DesktopHand hand(display, folder.path(), {small_land(folder)});
   hand.wait_for("RUN/step");
-  hand.click("RUN/steps to run");
-  hand.key("ctrl+a");
+  hand.edit("RUN/steps to run");
   hand.key("ctrl+c");
   ask_for_the_clipboard_and_go(display.name());
   hand.key("Escape");
