@@ -161,7 +161,7 @@ TEST(FullDisk, ARunNamesTheFileAndLeavesTheOlderOneAsItWas) {
     ASSERT_EQ(before.size(), 1u);
     std::vector<std::string> other = run;
     other.insert(other.end(), {"--seed", "8"});
-    const Ended ended = run_erg(folder, other, [] { limit_files(1000); });
+    const Ended ended = run_erg(folder, other, [] { limit_files(300); });
     EXPECT_EQ(ended.exit_code, 1);
     const std::string name = fs::relative(before.begin()->first, folder.path());
     EXPECT_TRUE(ended.errors.starts_with(name + ": cannot write this file (File too large); ")) << ended.errors;

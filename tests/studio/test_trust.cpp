@@ -263,7 +263,7 @@ TEST_F(ShortMemory, AComparisonThatDoesNotFitIsRefusedWhereEachRunAloneWouldFit)
   for (const char* side : {"nx", "ny"}) large.grid.set(side, std::int64_t{4096});
   const std::array one{large};
   const std::array four{large, large, large, large};
-  const std::uint64_t free = std::uint64_t{3} << 30;
+  const std::uint64_t free = std::uint64_t{1} << 30;
   EXPECT_NO_THROW(check_memory(one, 2, free));
   EXPECT_THROW(check_memory(four, 2, free), InputError);
   const LimitRestored restored(RLIMIT_AS);
