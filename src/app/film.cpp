@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/errors.h"
+#include "io/atomic_file.h"
 #include "io/image.h"
 
 namespace erg {
@@ -67,21 +67,46 @@ void Film::add_frame(Simulation& simulation) {
 
 void Film::finish(bool quiet) const {
   if (!quiet) std::cout << "  wrote frames into " << frames_.string() << "\n";
+  // What ffmpeg leaves when it is killed or the disk is full never bears the film's name.
+  const fs::path draft = movie_.string() + ".part" + std::to_string(::getpid());
   const std::string even = "scale=trunc(iw/2)*2:trunc(ih/2)*2";  // the codec wants even sides
   // Only so many: the frames of an earlier, longer run may lie behind them.
   const std::string count = std::to_string(last_ - first_ + 1);
-  const std::optional<int> ended =
-      run_program({"ffmpeg", "-y", "-loglevel", "error", "-framerate", "25", "-start_number", std::to_string(first_),
-                   "-i", (frames_ / "%06d.png").string(), "-frames:v", count, "-vf", even, "-c:v", "libx264",
-                   "-pix_fmt", "yuv420p", movie_.string()});
+  const std::optional<int> ended = run_program({"ffmpeg",
+                                                "-y",
+                                                "-loglevel",
+                                                "error",
+                                                "-framerate",
+                                                "25",
+                                                "-start_number",
+                                                std::to_string(first_),
+                                                "-i",
+                                                (frames_ / "%06d.png").string(),
+                                                "-frames:v",
+                                                count,
+                                                "-vf",
+                                                even,
+                                                "-c:v",
+                                                "libx264",
+                                                "-pix_fmt",
+                                                "yuv420p",
+                                                "-f",
+                                                "mp4",
+                                                draft.string()});
   if (!ended || *ended == 127) {
     std::cerr << "No film was made: ffmpeg is not installed (apt-get install ffmpeg). The frames are in "
               << frames_.string() << "\n";
-  } else if (*ended != 0) {
-    std::cerr << "No film was made: ffmpeg failed. The frames are in " << frames_.string() << "\n";
-  } else if (!quiet) {
-    std::cout << "  wrote " << movie_.string() << "\n";
+    return;
   }
+  std::error_code failed;
+  if (*ended == 0) fs::rename(draft, movie_, failed);
+  if (*ended != 0 || failed) {
+    std::error_code ignored;
+    fs::remove(draft, ignored);
+    throw WriteError(movie_.string(), "ffmpeg could not write this film",
+                     "check that the disk has room; the frames are in " + frames_.string());
+  }
+  if (!quiet) std::cout << "  wrote " << movie_.string() << "\n";
 }
 
 }  // namespace erg

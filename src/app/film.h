@@ -21,7 +21,8 @@ class Film {
   /// Draws the present state. The camera stays where it was planned at first.
   void add_frame(Simulation& simulation);
 
-  /// Joins the frames to `folder`/`name`.mp4 with ffmpeg, or says what is missing for that.
+  /// Joins the frames to `folder`/`name`.mp4 with ffmpeg, or says that ffmpeg is missing. Throws WriteError when it
+  /// fails; an older film is then untouched.
   void finish(bool quiet) const;
 
  private:

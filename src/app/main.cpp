@@ -4,7 +4,9 @@
 
 #include "app/command.h"
 #include "core/errors.h"
+#include "io/atomic_file.h"
 #include "io/provenance.h"
+#include "sim/memory.h"
 
 namespace erg {
 namespace {
@@ -40,15 +42,19 @@ ExitCode run_program(int argument_count, char** arguments) {
 }  // namespace erg
 
 int main(int argument_count, char** arguments) {
+  const auto tell = [](const erg::InputError& error) {
+    for (const erg::Mistake& mistake : error.mistakes()) std::fprintf(stderr, "%s\n", mistake.text().c_str());
+  };
   try {
     return erg::run_program(argument_count, arguments);
+  } catch (const erg::WriteError& error) {  // the disk's fault, not that of what was asked for
+    tell(error);
+    return erg::exit_failed;
   } catch (const erg::InputError& error) {
-    for (const erg::Mistake& mistake : error.mistakes()) {
-      std::fprintf(stderr, "%s\n", mistake.text().c_str());
-    }
+    tell(error);
     return erg::exit_wrong_use;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "erg: %s\n", error.what());
+    std::fprintf(stderr, "erg: %s\n", erg::problem_of(error).c_str());
     return erg::exit_failed;
   }
 }

@@ -87,6 +87,30 @@ void check_stats_path(const std::string& path) {
   throw InputError("--stats " + path, "there is no folder " + folder.string(), "make it first");
 }
 
+/// The same error, with the way on from the last checkpoint.
+[[noreturn]] void fail_with_way_on(const WriteError& error, const RunRequest& request, const RunOutput& output) {
+  std::vector<Mistake> mistakes = error.mistakes();
+  if (!output.last_checkpoint().empty()) {
+    mistakes.push_back(
+        {"", "the run itself is saved in " + output.last_checkpoint().string(),
+         "go on with: erg run --resume " + output.last_checkpoint().string() + " --out " + output_folder(request)});
+  }
+  throw WriteError(std::move(mistakes));
+}
+
+ExitCode grow(const RunRequest& request, Simulation& simulation, MeasuredRun& measured, RunOutput* output, Film* film) {
+  try {
+    const InterruptGuard guard;
+    run_steps(request, simulation, measured, output, film);
+    if (!measured.finished()) return stop_early(request, simulation, output);
+    if (output != nullptr) output->write_state();
+  } catch (const WriteError& error) {
+    if (output == nullptr) throw;
+    fail_with_way_on(error, request, *output);
+  }
+  return exit_done;
+}
+
 ExitCode run(const RunRequest& request, const PictureRequest& picture) {
   check_stats_path(request.stats);
   Simulation simulation = start_simulation(request);
@@ -101,13 +125,9 @@ ExitCode run(const RunRequest& request, const PictureRequest& picture) {
   }
   const bool needs_numbers = !request.quiet || !request.stats.empty();
   MeasuredRun measured(simulation, simulation.config().run.integer("steps"), needs_numbers);
-  {
-    const InterruptGuard guard;
-    run_steps(request, simulation, measured, output.get(), film.get());
-    if (!measured.finished()) return stop_early(request, simulation, output.get());
+  if (const ExitCode ended = grow(request, simulation, measured, output.get(), film.get()); ended != exit_done) {
+    return ended;
   }
-  if (output != nullptr) output->write_state();
-  if (film != nullptr) film->finish(request.quiet);
   if (needs_numbers) {
     const RunStatistics numbers = measured.statistics();
     if (!request.quiet) print_summary(simulation, numbers);
@@ -117,6 +137,7 @@ ExitCode run(const RunRequest& request, const PictureRequest& picture) {
     for (const auto& path : output->files()) std::cout << "  wrote " << path.string() << "\n";
   }
   if (request.hash) std::cout << hash_text(state_hash(simulation.terrain())) << "\n";
+  if (film != nullptr) film->finish(request.quiet);
   return exit_done;
 }
 

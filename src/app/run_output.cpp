@@ -58,7 +58,7 @@ RunOutput::RunOutput(fs::path folder, std::string name, std::vector<std::string>
   const fs::path path = folder_ / (name_ + ".csv");
   const std::int64_t step = simulation_.step_count();
   table_ = std::make_unique<TableFile>(
-      step > 0 ? TableFile::resume(path, table_columns(), provenance_of(simulation_), static_cast<double>(step))
+      step > 0 ? TableFile::resume(path, table_columns(), provenance_of(simulation_), static_cast<double>(step) + 1)
                : TableFile(path, table_columns(), provenance_of(simulation_)));
   files_.push_back(path);
 }
@@ -74,10 +74,14 @@ fs::path RunOutput::numbered(const std::string& ending) const {
 }
 
 void RunOutput::add_row() {
-  if (table_ != nullptr) table_->add(meter_.take(simulation_));
+  // On resuming the row of this step is there, with what was counted up to it.
+  if (table_ == nullptr || table_->last() == static_cast<double>(simulation_.step_count())) return;
+  table_->add(meter_.take(simulation_));
 }
 
 void RunOutput::write_state() {
+  // First, since a run goes on from it whatever becomes of the others.
+  if (wants("checkpoint")) write_state_checkpoint();
   const Terrain& terrain = simulation_.terrain();
   const Provenance source = provenance_of(simulation_);
   if (wants("png")) {
@@ -100,7 +104,6 @@ void RunOutput::write_state() {
     write_vti(path, terrain, &shadow, source);
     files_.push_back(path);
   }
-  if (wants("checkpoint")) write_state_checkpoint();
   write_meshes(source);
 }
 
@@ -120,6 +123,7 @@ fs::path RunOutput::write_state_checkpoint() {
   fs::path path = numbered(".checkpoint");
   write_checkpoint(path, simulation_.config(), simulation_.state());
   files_.push_back(path);
+  last_checkpoint_ = path;
   return path;
 }
 

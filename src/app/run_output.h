@@ -23,13 +23,16 @@ class RunOutput {
   /// InputError where it cannot write.
   RunOutput(std::filesystem::path folder, std::string name, std::vector<std::string> formats, Simulation& simulation);
 
-  /// Adds the present numbers to the CSV, if there is one. Lifts, polls and flux are those since the last row.
+  /// Adds the present numbers to the CSV, if there is one. Lifts, polls and flux are those since the last row. Throws
+  /// WriteError, as do the others.
   void add_row();
-  /// Writes the present state in every other format.
+  /// Writes the present state in every other format, the checkpoint first.
   void write_state();
   /// Writes a checkpoint, whatever the formats; its path.
   std::filesystem::path write_state_checkpoint();
 
+  /// The last checkpoint that was written; empty before the first.
+  const std::filesystem::path& last_checkpoint() const { return last_checkpoint_; }
   /// The files written so far, in order.
   const std::vector<std::filesystem::path>& files() const { return files_; }
 
@@ -45,6 +48,7 @@ class RunOutput {
   std::unique_ptr<TableFile> table_;
   RunMeter meter_;
   std::vector<std::filesystem::path> files_;
+  std::filesystem::path last_checkpoint_;
 };
 
 }  // namespace erg

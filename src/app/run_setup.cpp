@@ -7,6 +7,7 @@
 #include "io/checkpoint.h"
 #include "io/config_file.h"
 #include "io/start_simulation.h"
+#include "sim/memory.h"
 
 namespace erg {
 namespace {
@@ -63,6 +64,7 @@ Simulation start_simulation(const RunRequest& request) {
   if (request.resume.empty()) {
     Config config = read_config(config_path(request.config));
     apply_options(config, request);
+    check_memory({&config, 1}, 0, free_memory());
     return start_simulation(config);
   }
   Saved saved = read_checkpoint(request.resume);

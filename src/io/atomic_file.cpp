@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
   const int reason = errno;
   const char* remedy = reason == EISDIR ? "it is a folder; give the name of a file"
                                         : "check that its folder exists, may be written and has room";
-  throw InputError(path.string(), std::string("cannot write this file (") + std::strerror(reason) + ")", remedy);
+  throw WriteError(path.string(), std::string("cannot write this file (") + std::strerror(reason) + ")", remedy);
 }
 
 bool write_all(int descriptor, std::string_view content) {
@@ -33,19 +33,34 @@ bool write_all(int descriptor, std::string_view content) {
   return true;
 }
 
-/// Devices and pipes (/dev/stdout) are written to, not replaced.
-void write_through(const fs::path& path, std::string_view content) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail_to_write(path);
-  const bool written = write_all(descriptor, content);
-  if (!written) {
-    const int reason = errno;
-    ::close(descriptor);
-    errno = reason;
-    fail_to_write(path);
+/// A file that was opened; closed whatever happens.
+class OpenFile {
+ public:
+  OpenFile(const fs::path& path, int flags) : path_(path), descriptor_(::open(path.c_str(), flags | O_CLOEXEC)) {
+    if (descriptor_ < 0) fail_to_write(path_);
   }
-  ::close(descriptor);
-}
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() { ::close(descriptor_); }
+
+  void write(std::string_view content) const {
+    if (!write_all(descriptor_, content)) fail_to_write(path_);
+  }
+  /// The same; what had been written of it when it failed is taken back.
+  void write_whole(std::string_view content) const {
+    struct stat before {};
+    if (::fstat(descriptor_, &before) != 0) fail_to_write(path_);
+    if (write_all(descriptor_, content)) return;
+    const int reason = errno;
+    if (S_ISREG(before.st_mode)) static_cast<void>(::ftruncate(descriptor_, before.st_size));
+    errno = reason;
+    fail_to_write(path_);
+  }
+
+ private:
+  fs::path path_;
+  int descriptor_;
+};
 
 /// A new file beside the wanted one; removed again unless it was renamed.
 class TemporaryFile {
@@ -99,17 +114,22 @@ class TemporaryFile {
 }  // namespace
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
-  std::error_code none;
-  if (fs::exists(path, none) && !fs::is_regular_file(path, none)) return write_through(path, content);
-  TemporaryFile file(fs::is_symlink(path, none) ? fs::weakly_canonical(path) : path);  // keeps a link a link
-  file.write(content);
-  file.become_target();
+  write_file_atomically(path, [content](const ByteSink& sink) { sink(content); });
 }
 
 void write_file_atomically(const fs::path& path, const std::function<void(const ByteSink&)>& write) {
-  TemporaryFile file(path);
+  std::error_code none;
+  if (fs::exists(path, none) && !fs::is_regular_file(path, none)) {
+    const OpenFile file(path, O_WRONLY);
+    return write([&file](std::string_view content) { file.write(content); });
+  }
+  TemporaryFile file(fs::is_symlink(path, none) ? fs::weakly_canonical(path) : path);
   write([&file](std::string_view content) { file.write(content); });
   file.become_target();
+}
+
+void append_to_file(const fs::path& path, std::string_view content) {
+  OpenFile(path, O_WRONLY | O_APPEND).write_whole(content);
 }
 
 }  // namespace erg

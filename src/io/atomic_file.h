@@ -5,11 +5,20 @@
 #include <functional>
 #include <string_view>
 
+#include "core/errors.h"
+
 namespace erg {
+
+/// A file that cannot be written: no room, no permission, no folder. What lay under its name is untouched.
+class WriteError : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// Writes `content` to `path`: first into a new file beside it, flushed to the disk, then renamed over it. So a reader,
 /// or the next start after a power cut, sees the old file or the new one and nothing between. Folders must exist.
-/// Throws InputError when it cannot; the old file is then untouched.
+/// A link stays a link; a device or a pipe (/dev/stdout) is written to, not replaced.
+/// Throws WriteError when it cannot; the old file is then untouched.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// Takes the next bytes of a file.
@@ -18,5 +27,8 @@ using ByteSink = std::function<void(std::string_view)>;
 /// The same for content too large to hold in memory: `write` hands it over piece by piece. When `write` throws, the old
 /// file is untouched too.
 void write_file_atomically(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& write);
+
+/// Adds `content` to the end of a file that is there, whole or not at all. Throws WriteError when it cannot.
+void append_to_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace erg

@@ -1,7 +1,9 @@
 #include "io/table.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -36,21 +38,40 @@ std::string comments(const Provenance& provenance) {
 /// Empty where the number is unknown.
 std::string cell_text(double value) { return std::isfinite(value) ? exact_text(value) : std::string(); }
 
-bool keeps(const std::string& row, double first_step) {
-  double step = 0;
-  const auto result = std::from_chars(row.data(), row.data() + row.size(), step);
-  return result.ec == std::errc{} && step < first_step;
+/// One line of the table.
+std::string row_text(std::span<const double> values, std::size_t columns) {
+  if (values.size() != columns) throw std::logic_error("a row of a table needs a value for each column");
+  std::string line;
+  for (std::size_t column = 0; column < columns; ++column) {
+    line += (column == 0 ? "" : ",") + cell_text(values[column]);
+  }
+  return line + "\n";
+}
+
+/// The first value of a row; not-a-number where the row is not whole.
+double first_value(const std::string& row, std::size_t columns) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (static_cast<std::size_t>(std::count(row.begin(), row.end(), ',')) + 1 != columns) return none;
+  double value = 0;
+  const auto result = std::from_chars(row.data(), row.data() + row.size(), value);
+  return result.ec == std::errc{} ? value : none;
 }
 
 }  // namespace
 
-TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : path_(path), columns_(columns) {
-  stream_.open(path, std::ios::app);
-  if (!stream_) throw InputError(path.string(), "cannot be written", "check the folder and its permissions");
+void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                 const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
+  std::string text = comments(provenance) + joined(columns) + "\n";
+  for (const std::vector<double>& row : rows) text += row_text(row, columns.size());
+  write_file_atomically(path, text);
 }
 
+TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : path_(path), columns_(columns) {}
+
 TableFile::TableFile(const std::filesystem::path& path, std::vector<std::string> columns, const Provenance& provenance)
-    : TableFile((write_file_atomically(path, comments(provenance) + joined(columns) + "\n"), path), columns.size()) {}
+    : TableFile(path, columns.size()) {
+  write_table(path, columns, {}, provenance);
+}
 
 TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::string> columns,
                             const Provenance& provenance, double first_step) {
@@ -59,8 +80,14 @@ TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::
   std::string kept;
   std::string line;
   bool header_seen = false;
+  double last = std::numeric_limits<double>::quiet_NaN();
   while (std::getline(file, line)) {
-    if (header_seen && !keeps(line, first_step)) continue;
+    if (header_seen) {
+      // A last line without its end was cut off, perhaps in the middle of a number.
+      const double step = file.eof() ? std::numeric_limits<double>::quiet_NaN() : first_value(line, columns.size());
+      if (!(step < first_step)) continue;
+      last = step;
+    }
     if (!header_seen && !line.starts_with('#')) {
       header_seen = true;
       if (line != joined(columns)) {
@@ -72,17 +99,14 @@ TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::
   if (!header_seen) return TableFile(path, std::move(columns), provenance);
   file.close();
   write_file_atomically(path, kept);
-  return TableFile(path, columns.size());
+  TableFile table(path, columns.size());
+  table.last_ = last;
+  return table;
 }
 
 void TableFile::add(std::span<const double> values) {
-  if (values.size() != columns_) throw std::logic_error("a row of a table needs a value for each column");
-  std::string line;
-  for (std::size_t column = 0; column < values.size(); ++column) {
-    line += (column == 0 ? "" : ",") + cell_text(values[column]);
-  }
-  stream_ << line << '\n' << std::flush;
-  if (!stream_) throw InputError(path_.string(), "cannot be written", "is the disk full?");
+  append_to_file(path_, row_text(values, columns_));
+  last_ = values.front();
 }
 
 }  // namespace erg

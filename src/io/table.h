@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,27 +11,35 @@
 
 namespace erg {
 
-/// A CSV file that grows: comment lines (#) with the provenance, one header, then rows. Each row reaches the file at
-/// once, so that a run that is cut short leaves its numbers.
+/// Writes a whole table at once: comment lines (#) with the provenance, one header, then rows, each with as many values
+/// as there are columns. Numbers are in the shortest form that reads back exactly; not-a-number stays empty. Throws
+/// WriteError; an older file is then untouched.
+void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                 const std::vector<std::vector<double>>& rows, const Provenance& provenance);
+
+/// A table of this form that grows. Each row reaches the file at once and whole, so that a run that is cut short leaves
+/// its numbers.
 class TableFile {
  public:
-  /// Starts the file anew. Throws InputError when it cannot be written.
+  /// Starts the file anew. Throws WriteError when it cannot be written.
   TableFile(const std::filesystem::path& path, std::vector<std::string> columns, const Provenance& provenance);
   /// Goes on with a file of the same columns (a resumed run), or starts one where there is none. Rows whose first
-  /// column is `first_step` or more are dropped: the resumed run writes them again. Throws InputError for other
-  /// columns.
+  /// column is `first_step` or more are dropped: the resumed run writes them again. So are rows that are not whole.
+  /// Throws InputError for other columns.
   static TableFile resume(const std::filesystem::path& path, std::vector<std::string> columns,
                           const Provenance& provenance, double first_step);
 
-  /// Adds one row: as many values as columns, in the shortest form that reads back exactly; not-a-number stays empty.
+  /// Adds one row: as many values as columns. Throws WriteError; the file then ends with the row before.
   void add(std::span<const double> values);
+  /// The first value of the last row; not-a-number before there is one.
+  double last() const { return last_; }
 
  private:
   TableFile(const std::filesystem::path& path, std::size_t columns);
 
   std::filesystem::path path_;
   std::size_t columns_ = 0;
-  std::ofstream stream_;
+  double last_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace erg

@@ -13,6 +13,7 @@
 #include "io/picture.h"
 #include "io/table.h"
 #include "io/vti.h"
+#include "sim/memory.h"
 #include "wind/shadow.h"
 
 namespace erg {
@@ -118,8 +119,11 @@ void Export::write(const std::string& format, const RunSnapshot& run) {
     state_ = State::done;
   } catch (const StoppedWriting&) {
     state_ = State::stopped;
-  } catch (const std::exception& error) {
+  } catch (const InputError& error) {  // names the file itself
     problem_ = error.what();
+    state_ = State::failed;
+  } catch (const std::exception& error) {
+    problem_ = path_.string() + ": " + problem_of(error);
     state_ = State::failed;
   }
 }

@@ -5,6 +5,7 @@
 
 #include "core/errors.h"
 #include "io/start_simulation.h"
+#include "sim/memory.h"
 
 namespace erg {
 namespace {
@@ -32,6 +33,12 @@ void check_together(const Things& things, const Wind& wind_of) {
   }
 }
 
+Lockstep::Moment moment_of(const std::vector<std::unique_ptr<Simulation>>& runs) {
+  Lockstep::Moment now;
+  for (const auto& run : runs) now.push_back(std::make_shared<const RunState>(run->state()));
+  return now;
+}
+
 }  // namespace
 
 bool Lockstep::finished() const {
@@ -41,12 +48,15 @@ bool Lockstep::finished() const {
 std::string Lockstep::why_finished() const { return empty() ? "" : runs_.front()->totals().why_finished; }
 
 void Lockstep::take(std::vector<std::unique_ptr<Simulation>> runs) {
+  Moment beginning = moment_of(runs);  // may not find the memory: then nothing has changed yet
   runs_ = std::move(runs);
-  beginning_ = moment();
+  beginning_ = std::move(beginning);
 }
 
 void Lockstep::create(const std::vector<Config>& configs) {
   check_together(configs, [](const Config& config) { return config.wind; });
+  // Besides each run there are the state that reset goes back to and the one that is shown.
+  check_memory(configs, 2, free_memory());
   std::vector<std::unique_ptr<Simulation>> runs;
   for (const Config& config : configs) runs.push_back(std::make_unique<Simulation>(start_simulation(config)));
   take(std::move(runs));
@@ -75,11 +85,7 @@ void Lockstep::reset() {
   go_to(beginning_);
 }
 
-Lockstep::Moment Lockstep::moment() const {
-  Moment now;
-  for (const auto& run : runs_) now.push_back(std::make_shared<const RunState>(run->state()));
-  return now;
-}
+Lockstep::Moment Lockstep::moment() const { return moment_of(runs_); }
 
 void Lockstep::go_to(const Moment& moment) {
   std::vector<std::unique_ptr<Simulation>> runs;

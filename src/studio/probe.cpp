@@ -1,7 +1,6 @@
 #include "studio/probe.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -138,19 +137,21 @@ Histogram slope_histogram(const Terrain& terrain, double width) {
 }
 
 void write_section(const std::filesystem::path& path, const Section& section, const Provenance& provenance) {
-  TableFile file(path, {"distance_m", "bedrock_m", "surface_m"}, provenance);
+  std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < section.distance.size(); ++i) {
-    file.add(std::array{section.distance[i], section.bedrock[i], section.surface[i]});
+    rows.push_back({section.distance[i], section.bedrock[i], section.surface[i]});
   }
+  write_table(path, {"distance_m", "bedrock_m", "surface_m"}, rows, provenance);
 }
 
 void write_histogram(const std::filesystem::path& path, const Histogram& histogram, const std::string& quantity,
                      const Provenance& provenance) {
-  TableFile file(path, {quantity + "_from", quantity + "_to", "cells"}, provenance);
+  std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     const double from = histogram.lowest + static_cast<double>(i) * histogram.width;
-    file.add(std::array{from, from + histogram.width, histogram.counts[i]});
+    rows.push_back({from, from + histogram.width, histogram.counts[i]});
   }
+  write_table(path, {quantity + "_from", quantity + "_to", "cells"}, rows, provenance);
 }
 
 }  // namespace erg

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/memory.h"
+
 namespace erg {
 namespace {
 
@@ -172,7 +174,7 @@ void Runner::carry_out(const Command& command) {
   } catch (const InputError& error) {
     log_.mistakes(error);
   } catch (const std::exception& error) {
-    log_.error(std::string("this could not be done: ") + error.what());
+    log_.error("this could not be done: " + problem_of(error));
   }
   ++done_;
 }
@@ -215,7 +217,7 @@ void Runner::step_once() {
     publisher_.stepped(runs_, polls);
     unshown_ = true;
   } catch (const std::exception& error) {
-    return fail(error.what());
+    return fail(problem_of(error));
   }
   if (goal_ >= 0 && runs_.step_count() >= goal_) {
     activity_ = Activity::paused;
@@ -281,7 +283,7 @@ void Runner::fail(const std::string& what) {
   try {
     runs_.go_to(moment);
   } catch (const std::exception& error) {
-    log_.error(std::string("the runs cannot be taken back to the last whole step: ") + error.what());
+    log_.error("the runs cannot be taken back to the last whole step: " + problem_of(error));
     return;
   }
   publisher_.touched(runs_);
@@ -307,7 +309,7 @@ void Runner::publish() {
     publisher_.fill(*next, runs_, activity_ == Activity::running);
   } catch (const std::exception& error) {  // no memory for another copy of the terrain
     activity_ = next->activity = Activity::failed;
-    next->message = message_ = std::string("the runs cannot be shown: ") + error.what();
+    next->message = message_ = "the runs cannot be shown: " + problem_of(error);
     next->runs = snapshot()->runs;
     log_.error(message_);
   }

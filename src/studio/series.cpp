@@ -49,12 +49,11 @@ std::vector<double> Series::column(std::size_t column) const {
 void write_series(const std::filesystem::path& path, const Series& series, const Provenance& provenance) {
   std::vector<std::string> columns;
   for (const RunNumber& number : run_numbers()) columns.push_back(number.key);
-  TableFile file(path, columns, provenance);
-  std::vector<double> row(columns.size());
-  for (std::size_t i = 0; i < series.rows(); ++i) {
-    for (std::size_t column = 0; column < columns.size(); ++column) row[column] = series.value(i, column);
-    file.add(row);
+  std::vector<std::vector<double>> rows(series.rows());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t column = 0; column < columns.size(); ++column) rows[i].push_back(series.value(i, column));
   }
+  write_table(path, columns, rows, provenance);
 }
 
 }  // namespace erg

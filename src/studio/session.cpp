@@ -8,10 +8,12 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
 #include "core/errors.h"
 #include "io/atomic_file.h"
+#include "sim/memory.h"
 #include "studio/surroundings.h"
 
 namespace erg {
@@ -122,6 +124,7 @@ void Session::save_if_due(const std::shared_ptr<const Snapshot>& snapshot, doubl
   if (saving_.valid()) {
     if (saving_.wait_for(0s) != std::future_status::ready) return;
     problem_ = saving_.get();
+    if (!problem_.empty()) saved_version_ = 0;  // tried again even if nothing changes: there may be room by then
   }
   const auto pause = std::chrono::duration<double>(minutes * 60);
   const auto now = std::chrono::steady_clock::now();
@@ -130,15 +133,21 @@ void Session::save_if_due(const std::shared_ptr<const Snapshot>& snapshot, doubl
   }
   last_save_ = now;
   saved_version_ = version_of(*snapshot);
-  saving_ = std::async(std::launch::async, [folder = folder_, snapshot, old = replaced_]() -> std::string {
+  const auto work = [folder = folder_, snapshot, old = replaced_]() -> std::string {
     try {
       write_session(folder, *snapshot);
       remove_folders(old);
     } catch (const std::exception& error) {
-      return error.what();
+      return problem_of(error);
     }
     return {};
-  });
+  };
+  try {
+    saving_ = std::async(std::launch::async, work);
+  } catch (const std::system_error& error) {  // no thread to be had
+    problem_ = error.what();
+    saved_version_ = 0;
+  }
 }
 
 void Session::save(const Snapshot& snapshot) {

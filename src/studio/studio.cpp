@@ -4,6 +4,7 @@
 
 #include "core/errors.h"
 #include "io/config_file.h"
+#include "sim/memory.h"
 
 namespace erg {
 namespace {
@@ -19,7 +20,7 @@ bool logged(Log& log, const Work& work) {
   } catch (const InputError& error) {
     log.mistakes(error);
   } catch (const std::exception& error) {
-    log.error(error.what());
+    log.error(problem_of(error));
   }
   return false;
 }
@@ -213,10 +214,12 @@ void Studio::start_export(const fs::path& path, const std::string& format) {
     return;
   }
   export_.reset();  // one at a time: stops the one before
-  exported_ = format == "checkpoint" ? snapshot_ : nullptr;
-  exported_run_ = shown();
-  export_ = std::make_unique<Export>(path, format, snapshot_, shown());
-  export_reported_ = false;
+  logged(log_, [&] {
+    export_ = std::make_unique<Export>(path, format, snapshot_, shown());
+    exported_ = format == "checkpoint" ? snapshot_ : nullptr;
+    exported_run_ = shown();
+    export_reported_ = false;
+  });
 }
 
 void Studio::watch_export() {
@@ -262,7 +265,7 @@ std::string Studio::rescue() {
   try {
     session_->save(*runner_->snapshot());
   } catch (const std::exception& error) {
-    return std::string("the runs could not be saved: ") + error.what();
+    return "the runs could not be saved: " + problem_of(error);
   }
   session_->keep();
   keep_settings();

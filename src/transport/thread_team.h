@@ -44,7 +44,7 @@ class Barrier {
 
 class ThreadTeam {
  public:
-  /// The calling thread is member 0; `size` - 1 threads are started.
+  /// The calling thread is member 0; `size` - 1 threads are started. Throws InputError when the system gives fewer.
   explicit ThreadTeam(int size);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
@@ -58,6 +58,7 @@ class ThreadTeam {
 
  private:
   void serve(int member);
+  void dismiss();
 
   const int size_;
   const int spins_;

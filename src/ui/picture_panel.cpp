@@ -1,7 +1,9 @@
 #include "ui/picture_panel.h"
 
 #include <array>
+#include <new>
 
+#include "sim/memory.h"
 #include "ui/file_browser.h"
 #include "ui/widgets.h"
 
@@ -94,6 +96,10 @@ void PicturePanel::write(Desk& desk) {
     failed_ = true;
     result_ = error.mistakes().front().text();
     desk.studio.log().mistakes(error);
+  } catch (const std::bad_alloc& error) {
+    failed_ = true;
+    result_ = file_ + ": " + problem_of(error);
+    desk.studio.log().error(result_);
   }
 }
 

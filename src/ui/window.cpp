@@ -60,6 +60,10 @@ int take_x_error(::Display* display, XErrorEvent* event) {
   fail_without_window(why.data());
 }
 
+// Xlib's own handler ends the program. What can go wrong while the window is there is another program's doing (one that
+// asked for the copied text and is gone), and nothing is lost by it.
+int ignore_x_error(::Display*, XErrorEvent*) { return 0; }
+
 void ignore_warning(const char*, va_list, void*) {}
 
 /// Held until the window has its own: a display that is its last client's to keep goes with that client.
@@ -252,7 +256,7 @@ Window::Window(const WindowOptions& options) {
   char name[] = "erg";
   char* arguments[] = {name, nullptr};
   glutInitErrorFuncUcall(take_glut_error, nullptr);
-  const XErrorHandler usual = XSetErrorHandler(take_x_error);
+  XSetErrorHandler(take_x_error);
   glutInitWarningFuncUcall(ignore_warning, nullptr);
   glutInit(&count, arguments);
   glutInitContextVersion(3, 3);
@@ -263,7 +267,7 @@ Window::Window(const WindowOptions& options) {
   const int height = on_screen(options.height, usual_height, glutGet(GLUT_SCREEN_HEIGHT));
   glutInitWindowSize(width, height);
   const int handle = glutCreateWindow(options.title.c_str());
-  XSetErrorHandler(usual);
+  XSetErrorHandler(ignore_x_error);
   load_gl();
   hidden_ = std::make_unique<Hidden>();
   hidden_->handle = handle;

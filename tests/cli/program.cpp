@@ -1,6 +1,7 @@
 #include "program.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,7 +36,8 @@ std::vector<std::string> ScratchFolder::entries() const {
   return names;
 }
 
-Program::Program(const ScratchFolder& folder, const std::vector<std::string>& arguments) {
+Program::Program(const ScratchFolder& folder, const std::vector<std::string>& arguments,
+                 const std::function<void()>& in_child) {
   // Beside the folder, so that what the program itself writes stands alone in it.
   output_ = folder.path().string() + ".output";
   errors_ = folder.path().string() + ".errors";
@@ -52,6 +54,7 @@ Program::Program(const ScratchFolder& folder, const std::vector<std::string>& ar
   const int errors = open(errors_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (dup2(output, STDOUT_FILENO) < 0 || dup2(errors, STDERR_FILENO) < 0 || chdir(folder.path().c_str()) != 0)
     _exit(126);
+  if (in_child) in_child();
   execv(ERG_PROGRAM, pointers.data());
   _exit(127);
 }
@@ -72,13 +75,16 @@ std::string Program::errors_so_far() const { return read_text(errors_); }
 
 Ended Program::wait() {
   int status = 0;
-  waitpid(process_, &status, 0);
+  rusage used{};
+  wait4(process_, &status, 0, &used);
   process_ = -1;
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(output_), read_text(errors_)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(output_), read_text(errors_),
+          static_cast<std::uint64_t>(used.ru_maxrss) * 1024};
 }
 
-Ended run_erg(const ScratchFolder& folder, const std::vector<std::string>& arguments) {
-  return Program(folder, arguments).wait();
+Ended run_erg(const ScratchFolder& folder, const std::vector<std::string>& arguments,
+              const std::function<void()>& in_child) {
+  return Program(folder, arguments, in_child).wait();
 }
 
 std::string read_text(const fs::path& path) {

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -12,9 +13,10 @@ namespace erg::test {
 
 /// How a run of the program ended.
 struct Ended {
-  int exit_code = -1;  ///< -1 when a signal ended it
-  std::string output;  ///< standard output
-  std::string errors;  ///< standard error
+  int exit_code = -1;             ///< -1 when a signal ended it
+  std::string output;             ///< standard output
+  std::string errors;             ///< standard error
+  std::uint64_t most_memory = 0;  ///< bytes that it held at most
 };
 
 /// A folder that is gone afterwards.
@@ -40,7 +42,9 @@ class ScratchFolder {
 /// The program at work in a scratch folder.
 class Program {
  public:
-  Program(const ScratchFolder& folder, const std::vector<std::string>& arguments);
+  /// `in_child` is called in the new process before the program begins: for limits.
+  Program(const ScratchFolder& folder, const std::vector<std::string>& arguments,
+          const std::function<void()>& in_child = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -57,7 +61,8 @@ class Program {
 };
 
 /// Starts the program and waits for its end.
-Ended run_erg(const ScratchFolder& folder, const std::vector<std::string>& arguments);
+Ended run_erg(const ScratchFolder& folder, const std::vector<std::string>& arguments,
+              const std::function<void()>& in_child = {});
 
 std::string read_text(const std::filesystem::path& path);
 nlohmann::json read_json(const std::filesystem::path& path);

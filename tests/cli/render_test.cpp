@@ -175,7 +175,7 @@ TEST(Film, FramesAreJoinedByFfmpeg) {
 TEST(Film, FramesOfAnEarlierLongerRunAreNotInIt) {
   const ScratchFolder folder;
   // Stands in for ffmpeg and writes down what it was asked for.
-  folder.write("ffmpeg", "#!/bin/sh\necho \"$@\" > asked.txt\n");
+  folder.write("ffmpeg", "#!/bin/sh\necho \"$@\" > asked.txt\nfor film; do :; done\n: > \"$film\"\n");
   std::filesystem::permissions(folder.path() / "ffmpeg", std::filesystem::perms::owner_all);
   const Surroundings only("PATH", folder.path().c_str());
   const std::string longer = folder.write("small.json", small_config(12));

@@ -1,6 +1,7 @@
 // A stage without OpenGL for the shell: the ground is a flat plane, and what was asked for is written down.
 #pragma once
 
+#include <new>
 #include <vector>
 
 #include "ui/shell.h"
@@ -30,10 +31,14 @@ class FlatStage final : public Stage {
   FlatGround flat{{32, 24, 0, 4}};
   std::vector<PictureOrder> orders;
   bool closed = false;
+  bool has_memory = true;
 
   const LandGround* ground(std::size_t) override { return &flat; }
   ImTextureID picture(const std::filesystem::path&) override { return nullptr; }
-  void save_picture(const PictureOrder& order) override { orders.push_back(order); }
+  void save_picture(const PictureOrder& order) override {
+    if (!has_memory) throw std::bad_alloc();
+    orders.push_back(order);
+  }
   float frames_per_second() const override { return 60; }
   int screen_height() const override { return 1080; }
   void close() override { closed = true; }

@@ -307,6 +307,19 @@ TEST_F(ShellHand, APictureIsOrderedInTheSizeChosen) {
   EXPECT_TRUE(stage.orders[0].transparent);
 }
 
+TEST_F(ShellHand, APictureThatTheMemoryDoesNotHoldIsSaidInWords) {
+  create();
+  stage.has_memory = false;
+  hand.key(keys::function + 12);
+  hand.frames(3);
+  hand.click("PICTURE/save picture");
+  hand.frames(3);
+  hand.click("SAVE");
+  hand.frames(6);
+  EXPECT_TRUE(stage.orders.empty());
+  EXPECT_NE(studio.log().text().find(": there is not enough memory"), std::string::npos) << studio.log().text();
+}
+
 TEST_F(ShellHand, PanelsFoldAndColumnsAreDraggedAndBothAreRemembered) {
   create();
   hand.click("SETUP/fold");

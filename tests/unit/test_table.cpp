@@ -42,8 +42,18 @@ TEST(Table, AResumedRunGoesOnWithoutDoubleRows) {
     for (const double step : {0.0, 10.0, 20.0, 30.0}) table.add(std::array{step, 1.0});
   }
   TableFile table = TableFile::resume(folder / "t.csv", {"step", "height"}, origin, 20);
+  EXPECT_EQ(table.last(), 10);
   table.add(std::array{20.0, 2.0});
   EXPECT_EQ(without_comments(read_bytes(folder / "t.csv")), "step,height\n0,1\n10,1\n20,2\n");
+}
+
+TEST(Table, RowsThatAreNotWholeAreDroppedOnResuming) {
+  const TemporaryFolder folder;
+  { TableFile(folder / "t.csv", {"step", "height"}, origin).add(std::array{0.0, 1.0}); }
+  // What a full disk left of "10,1.25" and of "120,1".
+  write_bytes(folder / "t.csv", read_bytes(folder / "t.csv") + "10\n12,1.2");
+  TableFile::resume(folder / "t.csv", {"step", "height"}, origin, 120).add(std::array{120.0, 2.0});
+  EXPECT_EQ(without_comments(read_bytes(folder / "t.csv")), "step,height\n0,1\n120,2\n");
 }
 
 TEST(Table, ResumingWithoutAFileStartsOne) {

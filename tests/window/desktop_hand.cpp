@@ -199,10 +199,14 @@ void DesktopHand::key(const std::string& keys) const { hand("key " + keys, 1); }
 
 void DesktopHand::type(const std::string& text) const { hand("type --delay 2 -- '" + text + "'", text.size()); }
 
-void DesktopHand::enter(const std::string& name, const std::string& text) const {
+void DesktopHand::edit(const std::string& name) const {
   move_to(name);
   hand("keydown ctrl mousedown 1 mouseup 1 keyup ctrl", 2);
   key("ctrl+a");
+}
+
+void DesktopHand::enter(const std::string& name, const std::string& text) const {
+  edit(name);
   type(text);
   key("Return");
 }
@@ -211,12 +215,66 @@ void DesktopHand::picture(const std::filesystem::path& path) const {
   command("import -window root '" + path.string() + "'");
 }
 
-int DesktopHand::wait() {
+void DesktopHand::carry_out(const Deed& deed) const {
+  const auto x_button = [](int button) { return std::to_string(button == 0 ? 1 : button == 1 ? 3 : 2); };
+  switch (deed.kind) {
+    case Deed::Kind::move:
+      return command("xdotool mousemove " + std::to_string(static_cast<int>(deed.x)) + " " +
+                     std::to_string(static_cast<int>(deed.y)));
+    case Deed::Kind::press:
+      return command("xdotool mousedown " + x_button(deed.button));
+    case Deed::Kind::release:
+      return command("xdotool mouseup " + x_button(deed.button));
+    case Deed::Kind::wheel:
+      return command(std::string("xdotool click ") + (deed.lines > 0 ? "4" : "5"));
+    case Deed::Kind::key:
+      return command("xdotool key " + deed.key.name);
+    case Deed::Kind::type:
+      return command("xdotool type -- '" + deed.text + "'");
+  }
+}
+
+std::vector<Spot> DesktopHand::spots() const {
+  std::vector<Spot> all;
+  for (const auto& [name, place] : places()) {
+    all.push_back({name, static_cast<float>(place.left), static_cast<float>(place.top), static_cast<float>(place.right),
+                   static_cast<float>(place.bottom)});
+  }
+  return all;
+}
+
+bool DesktopHand::runs() {
   int status = 0;
-  const bool ended = soon([&] { return waitpid(process_, &status, WNOHANG) == process_; });
-  if (!ended) throw std::runtime_error("the program does not end");
-  process_ = -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (process_ > 0 && waitpid(process_, &status, WNOHANG) == process_) {
+    process_ = -1;
+    ended_with_ = code_of(status);
+  }
+  return process_ > 0;
+}
+
+double DesktopHand::memory() const {
+  std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+  double kibi = 0;
+  for (std::string word; status >> word;) {
+    if (word == "VmRSS:") status >> kibi;
+  }
+  return kibi / 1024;
+}
+
+void DesktopHand::quit() {
+  command("xdotool mouseup 1 mouseup 2 mouseup 3");
+  const bool ended = soon([this] {
+    if (runs()) command("xdotool key Escape sleep 0.3 key ctrl+q sleep 0.3");
+    return !runs();
+  });
+  if (!ended) throw std::runtime_error("the program does not quit");
+}
+
+int DesktopHand::code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : -1; }
+
+int DesktopHand::wait() {
+  if (!soon([this] { return !runs(); })) throw std::runtime_error("the program does not end");
+  return ended_with_;
 }
 
 std::string DesktopHand::errors() const { return read_all(errors_); }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "../ui/monkey.h"
+
 namespace erg::test {
 
 /// A display without a screen, gone afterwards.
@@ -51,10 +53,23 @@ class DesktopHand {
   /// Keys as xdotool names them: "ctrl+s", "space".
   void key(const std::string& keys) const;
   void type(const std::string& text) const;
+  /// Opens an entry or a slider for typing, all of it selected.
+  void edit(const std::string& name) const;
   /// Replaces what an entry or a slider holds.
   void enter(const std::string& name, const std::string& text) const;
   /// What the screen shows, as a picture.
   void picture(const std::filesystem::path& path) const;
+
+  /// What a monkey does. Nothing waits for the window to answer.
+  void carry_out(const Deed& deed) const;
+  /// The widgets of now.
+  std::vector<Spot> spots() const;
+  /// Whether the program is still there.
+  bool runs();
+  /// MiB of memory that it holds now; 0 when it is gone.
+  double memory() const;
+  /// Lets go of every button, closes dialogs and quits, as often as it takes.
+  void quit();
 
   /// Waits for the program's end; its exit code, or -1 when a signal ended it.
   int wait();
@@ -77,12 +92,14 @@ class DesktopHand {
   void hand(const std::string& words, std::uint64_t presses) const;
   void move_to(const std::string& name) const;
   void command(const std::string& words) const;
+  static int code_of(int status);
 
   std::string display_;
   mutable std::string pointer_;  // where it is, as xdotool has it
   std::filesystem::path map_;
   std::filesystem::path errors_;
   pid_t process_ = -1;
+  int ended_with_ = -1;  ///< when `runs` has seen its end
 };
 
 }  // namespace erg::test

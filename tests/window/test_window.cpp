@@ -8,6 +8,9 @@
 #include "desktop_hand.h"
 #include "io/config_file.h"
 
+// Last: its macros are plain words.
+#include <X11/Xlib.h>
+
 namespace erg::test {
 namespace {
 
@@ -101,6 +104,32 @@ TEST(Window, ALostDisplayEndsTheProgramWithTheLandSaved) {
   DesktopHand again(next, folder.path(), {});
   again.wait_for("RECOVERY/session 1/RECOVER");
   keep_picture(again, "recovery.png");
+}
+
+/// Asks for the copied text and is gone before the answer.
+void ask_for_the_clipboard_and_go(const std::string& display_name) {
+  ::Display* const display = XOpenDisplay(display_name.c_str());
+  ASSERT_NE(display, nullptr);
+  const ::Window asker = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 1, 1, 0, 0, 0);
+  const Atom clipboard = XInternAtom(display, "CLIPBOARD", False);
+  EXPECT_NE(XGetSelectionOwner(display, clipboard), None) << "nothing was copied";
+  XConvertSelection(display, clipboard, XInternAtom(display, "UTF8_STRING", False), clipboard, asker, CurrentTime);
+  XDestroyWindow(display, asker);
+  XCloseDisplay(display);
+}
+
+TEST(Window, AProgramThatAsksForTheCopiedTextAndGoesDoesNoHarm) {
+  const TemporaryFolder folder;
+  const Display display;
+  DesktopHand hand(display, folder.path(), {small_land(folder)});
+  hand.wait_for("RUN/step");
+  hand.edit("RUN/steps to run");
+  hand.key("ctrl+c");
+  ask_for_the_clipboard_and_go(display.name());
+  hand.key("Escape");
+  hand.click("RUN/step");
+  hand.key("ctrl+q");
+  EXPECT_EQ(hand.wait(), 0) << hand.errors();
 }
 
 TEST(Window, AnOpenGLThatIsTooOldIsSaidAndNothingHappens) {

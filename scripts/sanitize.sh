@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Builds with sanitizers and runs the parts of the suite that fit: scripts/sanitize.sh [asan|tsan] [ctest's arguments]
+# asan: addresses, leaks and undefined behaviour; tsan: threads. Both after each other when none is named.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/lib/prepare.sh
+
+install_missing
+export ASAN_OPTIONS="detect_stack_use_after_return=1:detect_leaks=1"
+export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/leaks.txt:print_suppressions=0"
+export UBSAN_OPTIONS="print_stacktrace=1:halt_on_error=1"
+export TSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/threads.txt:halt_on_error=1:second_deadlock_stack=1"
+
+# Builds a preset's tests of these folders and runs those whose names fit.
+check() {
+  local preset=$1 tests=$2
+  shift 2
+  local targets=()
+  for name in $tests; do targets+=("test_$name"); done
+  cmake --preset "$preset" -DERG_UNITY=ON >/dev/null
+  cmake --build --preset "$preset" --target "${targets[@]}"
+  ctest --preset "$preset" --no-tests=error "$@"
+}
+
+case "${1:-both}" in
+  asan) check asan "unit laws studio ui window" "${@:2}" ;;
+  tsan) check tsan "laws studio ui" "${@:2}" ;;
+  both)
+    "$0" asan
+    "$0" tsan
+    ;;
+  *)
+    echo "usage: scripts/sanitize.sh [asan|tsan] [arguments of ctest]" >&2
+    exit 2
+    ;;
+esac
