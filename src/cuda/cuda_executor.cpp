@@ -25,6 +25,7 @@ StepReport CudaExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNo
       give_up(terrain, error.what());
     }
   }
+  cpu_.count_lifts(lift_counts());
   return cpu_.step(terrain, law, wind, key);
 }
 
@@ -37,7 +38,9 @@ StepReport CudaExecutor::step_on_device(Terrain& terrain, const SlabLaw& law, co
     loaded_ = &terrain;
     revision_ = terrain.revision();
   }
+  slabs_->count_lifts(lift_counts() != nullptr);
   const StepReport report = slabs_->step(law, frame, wind.strength, key);
+  if (lift_counts() != nullptr) slabs_->take_lift_counts(*lift_counts());
   terrain.ledger().in += report.slabs_in;
   terrain.ledger().out += report.slabs_out;
   remember(law, wind, key);

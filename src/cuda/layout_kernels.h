@@ -5,11 +5,6 @@
 
 namespace erg::ERG_KERNEL_SPACE {
 
-/// Where a cell of the frame stands in the terrain.
-__device__ inline std::ptrdiff_t staged_place(const DevicePlan& plan, std::int32_t cell) {
-  return plan.origin + cell % plan.width * plan.step_u + cell / plan.width * plan.step_v;
-}
-
 /// Heights over the lowest bedrock, from the terrain's order.
 __global__ void lay_surface(DevicePlan plan) {
   for (std::int32_t cell = first_item(); cell < plan.cells(); cell += item_stride()) {

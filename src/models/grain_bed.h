@@ -40,6 +40,9 @@ class GrainBed {
   void freeze(Executor& executor);
   FrozenGround ground() const;
 
+  /// Where a cell of the bed lies in the terrain.
+  std::size_t terrain_cell(int u, int v) const { return frame_.cell(u, v); }
+
   /// A loose grain leaves the cell: at most one thread may do that for a cell.
   void take(int u, int v) { ++gone_[at(u, v)]; }
   /// A grain comes to rest in the cell; for any thread.

@@ -137,6 +137,7 @@ void GrainModel::fly_all(const GrainLaw& law, StepKey key, int sub_step, Executo
   const int sub_steps = static_cast<int>(values_.integer("sub_steps"));
   const auto cells = static_cast<std::int64_t>(bed_.cells());
   const FrozenGround ground = bed_.ground();
+  Grid<std::int32_t>* const lift_counts = executor.lift_counts();
   executor.for_pieces((cells + sub_steps - 1) / sub_steps, [&](std::int64_t first, std::int64_t last) {
     Share share;
     BedWatch watch{&bed_};
@@ -150,6 +151,7 @@ void GrainModel::fly_all(const GrainLaw& law, StepKey key, int sub_step, Executo
       if (!lift_off(law, ground, u, v, dice, grain)) continue;
       bed_.take(u, v);
       ++share.lifts;
+      if (lift_counts != nullptr) ++(*lift_counts)[bed_.terrain_cell(u, v)];
       const FlightEnd end = fly(law, ground, grain, dice, share.flights, watch);
       share.book(end, grain);
       if (end != FlightEnd::left) bed_.give(resting_place(law, ground, grain, dice));

@@ -175,6 +175,8 @@ void SnowMachine::poll(Place place, std::uint64_t word, Sink& sink) const {
   if ((word & 0xffff) >= (hard ? entrainment_chance(*law_, speed_[here], layers_->age[here]) : chance_[here])) return;
   if (hard) sink.change(here, Change::free);
   ++sink.report.lifts;
+  // Each cell is polled once a step, by one thread.
+  if (Grid<std::int32_t>* const counts = executor_->lift_counts()) ++(*counts)[here];
   sink.change(here, Change::lift);
   fly(place, word, sink, false);
 }
