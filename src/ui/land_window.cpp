@@ -12,7 +12,7 @@ namespace {
 constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
                                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
-constexpr int gap = 2;  // pixels between runs that are compared
+constexpr int run_gap = 2;  // pixels between runs that are compared
 
 // Two beside each other, three and four in two rows.
 std::vector<WindowPart> split(const WindowPart& area, std::size_t count) {
@@ -23,11 +23,11 @@ std::vector<WindowPart> split(const WindowPart& area, std::size_t count) {
     const int column = static_cast<int>(index) % columns;
     const int row = static_cast<int>(index) / columns;
     const bool last_alone = count == 3 && index == 2;
-    const int left = column * (area.width + gap) / columns;
-    const int top = row * (area.height + gap) / rows;
-    const int width = last_alone ? area.width : (area.width - (columns - 1) * gap) / columns;
-    parts.push_back(
-        {area.left + left, area.top + top, std::max(width, 1), std::max((area.height - (rows - 1) * gap) / rows, 1)});
+    const int left = column * (area.width + run_gap) / columns;
+    const int top = row * (area.height + run_gap) / rows;
+    const int width = last_alone ? area.width : (area.width - (columns - 1) * run_gap) / columns;
+    parts.push_back({area.left + left, area.top + top, std::max(width, 1),
+                     std::max((area.height - (rows - 1) * run_gap) / rows, 1)});
   }
   return parts;
 }

@@ -9,7 +9,7 @@
 namespace erg {
 namespace {
 
-constexpr float gap = 4;
+constexpr float tick_gap = 4;
 
 ImU32 faint(ImGuiCol colour, float opacity) { return ImGui::GetColorU32(colour, opacity); }
 
@@ -30,7 +30,7 @@ void draw_ticks_up(const PlotArea& area, const Ticks& ticks) {
     const ImVec2 place = area.at(area.x.low, ticks.at(tick));
     const std::string text = tick_text(ticks.at(tick), ticks.step);
     list.AddLine({area.upper_left.x, place.y}, {area.lower_right.x, place.y}, faint(ImGuiCol_TextDisabled, 0.25f));
-    list.AddText({area.upper_left.x - gap - ImGui::CalcTextSize(text.c_str()).x, place.y - half_line},
+    list.AddText({area.upper_left.x - tick_gap - ImGui::CalcTextSize(text.c_str()).x, place.y - half_line},
                  ImGui::GetColorU32(ImGuiCol_TextDisabled), text.c_str());
   }
 }
@@ -42,12 +42,12 @@ void draw_ticks_across(const PlotArea& area, const Ticks& ticks, float right_end
     const ImVec2 place = area.at(ticks.at(tick), area.y.low);
     const std::string text = tick_text(ticks.at(tick), ticks.step);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
-    list.AddLine({place.x, area.lower_right.y}, {place.x, area.lower_right.y + gap},
+    list.AddLine({place.x, area.lower_right.y}, {place.x, area.lower_right.y + tick_gap},
                  ImGui::GetColorU32(ImGuiCol_TextDisabled));
     const float left = std::min(place.x - width / 2, right_end - width);
     if (left < free_from) continue;
-    list.AddText({left, area.lower_right.y + gap}, ImGui::GetColorU32(ImGuiCol_TextDisabled), text.c_str());
-    free_from = left + width + 2 * gap;
+    list.AddText({left, area.lower_right.y + tick_gap}, ImGui::GetColorU32(ImGuiCol_TextDisabled), text.c_str());
+    free_from = left + width + 2 * tick_gap;
   }
 }
 
@@ -61,7 +61,7 @@ void draw_band(const PlotArea& area, const PlotBand& band, bool shaded) {
     list.AddRectFilled(corner, end, faint(ImGuiCol_TextDisabled, 0.14f));
   }
   const float width = ImGui::CalcTextSize(band.label.c_str()).x;
-  if (width + gap > end.x - corner.x) return;  // no room: the season's row says it
+  if (width + tick_gap > end.x - corner.x) return;  // no room: the season's row says it
   list.AddText({(corner.x + end.x - width) / 2, corner.y + 2}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
                band.label.c_str());
 }
@@ -105,14 +105,14 @@ void draw_legend(std::span<const PlotLine> lines) {
   const float mark = ImGui::GetTextLineHeight();
   bool first = true;
   for (const PlotLine& line : lines) {
-    const float width = mark + gap + ImGui::CalcTextSize(line.label.c_str()).x;
-    if (!first && ImGui::GetItemRectMax().x + 3 * gap + width < right) ImGui::SameLine(0, 3 * gap);
+    const float width = mark + tick_gap + ImGui::CalcTextSize(line.label.c_str()).x;
+    if (!first && ImGui::GetItemRectMax().x + 3 * tick_gap + width < right) ImGui::SameLine(0, 3 * tick_gap);
     first = false;
     const ImVec2 place = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddLine({place.x, place.y + mark / 2}, {place.x + mark - gap, place.y + mark / 2},
+    ImGui::GetWindowDrawList()->AddLine({place.x, place.y + mark / 2}, {place.x + mark - tick_gap, place.y + mark / 2},
                                         line.colour, 3);
-    ImGui::Dummy({mark - gap, mark});
-    ImGui::SameLine(0, gap);
+    ImGui::Dummy({mark - tick_gap, mark});
+    ImGui::SameLine(0, tick_gap);
     ImGui::TextUnformatted(line.label.c_str());
   }
 }
@@ -168,9 +168,9 @@ PlotArea draw_axes(const char* id, const PlotFrame& frame) {
   PlotArea area;
   area.x = frame.x.value_or(AxisRange{});
   area.y = frame.y.value_or(AxisRange{});
-  const float below = gap + line + (frame.x_label.empty() ? 0 : line + gap);
+  const float below = tick_gap + line + (frame.x_label.empty() ? 0 : line + tick_gap);
   const Ticks up = round_ticks(area.y, tick_room(height - below, 1.6f * line));
-  area.upper_left = {corner.x + widest_tick(up) + gap, corner.y + line / 2};
+  area.upper_left = {corner.x + widest_tick(up) + tick_gap, corner.y + line / 2};
   area.lower_right = {corner.x + width - 2, corner.y + height - below};
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -182,7 +182,7 @@ PlotArea draw_axes(const char* id, const PlotFrame& frame) {
   list.AddLine({area.upper_left.x, area.lower_right.y}, area.lower_right, ImGui::GetColorU32(ImGuiCol_TextDisabled));
   if (!frame.x_label.empty()) {
     const float text = ImGui::CalcTextSize(frame.x_label.c_str()).x;
-    list.AddText({area.lower_right.x - text, area.lower_right.y + gap + line},
+    list.AddText({area.lower_right.x - text, area.lower_right.y + tick_gap + line},
                  ImGui::GetColorU32(ImGuiCol_TextDisabled), frame.x_label.c_str());
   }
   ImGui::Dummy({width, height});
