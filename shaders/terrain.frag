@@ -1,6 +1,7 @@
 #version 330 core
 // The land's colour: sand or snow on rock in sun and sky light (MATERIAL), or a value in the colours of a palette.
-// What a picture does not need is left out of the program: GRAINS, PLANTS, CONTOURS, RAW_CELLS and WIRES are its words.
+// What a picture does not need is left out of the program: GRAINS, PLANTS, TUFTS, CONTOURS, RAW_CELLS and WIRES are
+// its words.
 #include "sheet.glsl"
 #include "air.glsl"
 in vec3 point;  // m
@@ -147,8 +148,12 @@ Ground ground_at(vec4 form, vec4 seen) {
 #ifdef PLANTS
 // Litter under the tufts; where these are too small to be seen or not drawn, their colour instead.
 vec3 planted(vec3 albedo, float cover) {
+#ifdef TUFTS
   bool beyond = any(lessThan(point.xy, -land)) || any(greaterThan(point.xy, 2.0 * land));
   float far = beyond ? 1.0 : smoothstep(0.15, 0.70, footprint() / cell_side);
+#else
+  const float far = 1.0;
+#endif
   float bare = (1.0 - cover) * (1.0 - cover);
   return mix(albedo, mix(vec3(0.140, 0.120, 0.060), vec3(0.115, 0.118, 0.048), far),
              mix(0.70 * cover, 0.92 * (1.0 - bare * bare), far));

@@ -39,7 +39,7 @@ void main() {
   tone = 0.6 * hash(seed + 55.0) + 0.4 * hash(own + 5.0);
   vec4 seen = textureLod(light, on_maps(place), 0.0);
   // A blade is thin: it takes the sun from wherever it stands.
-  shine = 0.62 * sun_colour() * sunlit(seen.r) + 0.30 * sky_colour() * seen.g;
+  shine = 0.62 * sun_colour() * sunlit(seen.r) + 0.42 * sky_colour() * seen.g;
   vec3 foot = vec3(place + shift, surface_at(place).r * exaggeration);
   haze = haze_at(foot);
   gl_Position = view_projection * vec4(foot + offset * size, 1.0);

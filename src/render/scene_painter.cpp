@@ -168,6 +168,7 @@ const ShaderProgram& ScenePainter::land_program(const PaintRequest& request, boo
   word(look.is_material(), "MATERIAL");
   word(look.is_material() && request.effort.grains && look.grain > 0, "GRAINS");
   word(look.is_material() && request.maps.has_plants(), "PLANTS");
+  word(look.is_material() && request.maps.has_plants() && look.tufts, "TUFTS");
   word(look.contours > 0, "CONTOURS");
   const auto found = land_programs_.find(words);
   if (found != land_programs_.end()) return found->second;
