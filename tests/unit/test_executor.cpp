@@ -47,7 +47,7 @@ TEST(Flux, OfARunIsWhatItsStepsLifted) {
     config.grid.set("nx", std::int64_t{32});
     config.grid.set("ny", std::int64_t{24});
     if (model == "grains") config.grid.set("cell_size", 0.01);
-    if (model != "momiji") config.wind.seasons.front().strength = 14;
+    if (model != "momiji") set_from_text(config, "wind.strength=14");
     Simulation plain(config);
     Simulation watched(config);
     watched.watch_flux(true);
