@@ -15,6 +15,13 @@ vec3 sun_colour() {
   float low = exp(-to_sun.z * 4.0);
   return mix(vec3(1.0, 0.95, 0.87), vec3(1.0, 0.72, 0.45), low);
 }
+// The part of the sun that stands above the skyline.
+float sunlit(float skyline) {
+  float sun = to_sun.z / max(length(to_sun.xy), 1e-3);
+  float width = 0.02 + 0.03 * sun;
+  return smoothstep(-width, width, sun - skyline);
+}
+
 vec3 sky_colour() { return snowy ? vec3(0.44, 0.63, 1.0) : vec3(0.55, 0.70, 1.0); }
 
 // The sky in a direction: blue above, pale at the horizon, warm around the sun.

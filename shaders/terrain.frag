@@ -1,6 +1,7 @@
 #version 330 core
 // The land's colour: sand or snow on rock in sun and sky light (MATERIAL), or a value in the colours of a palette.
-// What a picture does not need is left out of the program: GRAINS, PLANTS, CONTOURS, RAW_CELLS and WIRES are its words.
+// What a picture does not need is left out of the program: GRAINS, PLANTS, TUFTS, CONTOURS, RAW_CELLS and WIRES are
+// its words.
 #include "sheet.glsl"
 #include "air.glsl"
 in vec3 point;  // m
@@ -33,13 +34,6 @@ float value_at(vec2 place, vec4 form) {
   if (source == 0) return form.r;
   if (source == 1) return degrees(atan(length(form.ba)));
   return field_at(field, place);
-}
-
-// The part of the sun that stands above the skyline.
-float sunlit(float skyline) {
-  float sun = to_sun.z / max(length(to_sun.xy), 1e-3);
-  float width = 0.02 + 0.03 * sun;
-  return smoothstep(-width, width, sun - skyline);
 }
 
 #ifdef MATERIAL
@@ -151,6 +145,21 @@ Ground ground_at(vec4 form, vec4 seen) {
   return Ground(mix(bare, cover, covered), normalize(vec3(-slope, 1.0)), covered);
 }
 
+#ifdef PLANTS
+// Litter under the tufts; where these are too small to be seen or not drawn, their colour instead.
+vec3 planted(vec3 albedo, float cover) {
+#ifdef TUFTS
+  bool beyond = any(lessThan(point.xy, -land)) || any(greaterThan(point.xy, 2.0 * land));
+  float far = beyond ? 1.0 : smoothstep(0.15, 0.70, footprint() / cell_side);
+#else
+  const float far = 1.0;
+#endif
+  float bare = (1.0 - cover) * (1.0 - cover);
+  return mix(albedo, mix(vec3(0.140, 0.120, 0.060), vec3(0.115, 0.118, 0.048), far),
+             mix(0.70 * cover, 0.92 * (1.0 - bare * bare), far));
+}
+#endif
+
 vec3 lit(Ground ground, vec4 seen) {
   float facing = max(dot(ground.normal, to_sun), 0.0);
   float sun = facing * sunlit(seen.r) / mix(1.0, max(to_sun.z, 0.15), 0.55);
@@ -180,7 +189,7 @@ vec3 lit(Ground ground, vec4 seen) {
 vec3 shown_at(vec2 place, vec4 form, vec4 seen, float value) {
   Ground ground = ground_at(form, seen);
 #ifdef PLANTS
-  ground.albedo = mix(ground.albedo, vec3(0.10, 0.145, 0.045), 0.75 * clamp(field_at(plants, place), 0.0, 1.0));
+  ground.albedo = planted(ground.albedo, clamp(field_at(plants, place), 0.0, 1.0));
 #endif
 #ifdef RAW_CELLS
   ground.normal = normalize(cross(dFdx(point), dFdy(point)));

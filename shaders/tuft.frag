@@ -1,9 +1,13 @@
 #version 330 core
 #include "air.glsl"
 in float tip;
-in float tone;
+flat in float tone;
+flat in vec3 shine;
+in vec4 haze;
 out vec4 colour;
 void main() {
-  vec3 green = mix(vec3(0.055, 0.085, 0.025), vec3(0.20, 0.235, 0.075), 0.65 * tip + 0.35 * tone);
-  colour = vec4(to_srgb(green * (0.5 + 0.6 * to_sun.z)), 1.0);
+  // Grey-green to straw, dark between the blades' feet.
+  vec3 blade = mix(vec3(0.135, 0.165, 0.060), vec3(0.330, 0.300, 0.130), tone * tone);
+  vec3 shown = blade * shine * mix(0.35, 1.35, tip);
+  colour = vec4(to_srgb(film(mix(haze.rgb, shown, haze.a))), 1.0);
 }

@@ -87,9 +87,9 @@ std::vector<std::string> take_grain_models(BenchOptions& options) {
 }
 
 /// Times of pictures as a table.
-std::string render_text(const std::string& context) {
+std::string render_text(const std::vector<int>& grids, const std::string& context) {
   std::string renderer;
-  const std::vector<RenderBenchRow> rows = run_render_bench({256, 1024, 4096}, context, renderer);
+  const std::vector<RenderBenchRow> rows = run_render_bench(grids, context, renderer);
   TextTable table;
   table.heading = {"grid", "quality", "drawn", "first", "turned", "a tenth changed", "all changed", "triangles"};
   const auto both = [](const PictureTime& time) {
@@ -121,9 +121,9 @@ void add_bench_command(CLI::App& program, Action& action) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("bench", "Measure the executors on developed dunes and snow");
-  command->add_option("--grid", options->bench.grid, "Cells a side")
-      ->capture_default_str()
-      ->check(CLI::Range(16, largest_side));
+  const CLI::Option* const grid = command->add_option("--grid", options->bench.grid, "Cells a side")
+                                      ->capture_default_str()
+                                      ->check(CLI::Range(16, largest_side));
   command->add_option("--model", options->bench.models, "Model to measure (may be repeated; default: all)");
   command->add_option("--executor", options->bench.executor, "Executor to measure beside serial: cpu or cuda")
       ->capture_default_str()
@@ -135,14 +135,18 @@ void add_bench_command(CLI::App& program, Action& action) {
   command->add_option("--bearing", options->bearing, "Where the wind blows from: degrees or W, NW ...")
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print a JSON list of rows");
-  command->add_flag("--render", options->render, "Measure pictures of 256, 1024 and 4096 cells a side instead");
+  command->add_flag("--render", options->render,
+                    "Measure pictures instead, of --grid or else of 256, 1024 and 4096 cells a side");
   command->add_option("--context", options->context, "What draws with --render: auto, egl, osmesa")
       ->capture_default_str()
       ->check(CLI::IsMember(offscreen_kinds()));
-  command->callback([&action, options] {
-    action = [options] {
+  command->callback([&action, options, grid] {
+    const bool one_grid = grid->count() > 0;
+    action = [options, one_grid] {
       if (options->render) {
-        std::cout << render_text(options->context);
+        const std::vector<int> grids =
+            one_grid ? std::vector<int>{options->bench.grid} : std::vector<int>{256, 1024, 4096};
+        std::cout << render_text(grids, options->context);
         return exit_done;
       }
       if (const std::string why = why_not(options->bench.executor); !why.empty()) {

@@ -58,11 +58,7 @@ void Film::add_frame(Simulation& simulation) {
   const RunView run(simulation);
   const Picture picture = renderer_->draw(run.view(), plan_.look, plan_.camera, plan_.size);
   const MetadataEntries step{{"erg:step", std::to_string(simulation.step_count())}};
-  if (plan_.look.transparent) {
-    write_png(frames_ / file, picture.image, step);
-  } else {
-    write_png(frames_ / file, picture.opaque(), step);
-  }
+  write_png(frames_ / file, picture.image, step);
 }
 
 void Film::finish(bool quiet) const {

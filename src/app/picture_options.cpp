@@ -48,13 +48,13 @@ Camera find_camera(const std::string& name, const LandBox& land, double aspect) 
 
 }  // namespace
 
-void add_picture_options(CLI::App& program, PictureRequest& request) {
+CLI::Option_group& add_picture_options(CLI::App& program, PictureRequest& request) {
   CLI::Option_group& command = *program.add_option_group("Pictures");
   command.add_option("--size", request.size, "Width and height in pixels")->capture_default_str();
   command.add_option("--camera", request.camera, "top, oblique, block, side, or a JSON file")->capture_default_str();
   command
       .add_option("--look", request.look.show,
-                  "material, sand, snow, elevation, slope, shadow, or a field of the model")
+                  "material, sand, snow, elevation, slope, shadow, flux, or a field of the model")
       ->capture_default_str();
   command.add_option("--palette", request.look.palette, "Colours of values: RdYlGn, cividis, batlow, grey ...");
   command.add_option("--contours", request.look.contours, "Interval of contour lines, in the unit of what is shown");
@@ -72,6 +72,7 @@ void add_picture_options(CLI::App& program, PictureRequest& request) {
   command.add_flag("--raw", request.look.raw_cells, "Straight lines from cell to cell, no smoothing");
   command.add_flag("--transparent", request.look.transparent, "Nothing behind the land, nothing written over it");
   command.add_flag("--no-legend", request.no_legend, "No legend, wind arrow and scale bar");
+  return command;
 }
 
 PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view) {
@@ -99,6 +100,10 @@ RunView::RunView(Simulation& simulation) {
   for (std::size_t cell = 0; cell < shadow.size(); ++cell) shadow_.values[cell] = shadow[cell];
   view_.terrain = &terrain;
   view_.fields = {&shadow_};
+  if (simulation.flux() != nullptr) {
+    flux_ = simulation.flux()->mean();
+    view_.fields.push_back(&flux_);
+  }
   view_.wind = bearing;
   view_.paths = simulation.model().paths();
   if (simulation.model_type().info.material == Material::snow) view_.cover = Cover::snow;

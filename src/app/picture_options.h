@@ -22,8 +22,11 @@ struct PictureRequest {
   Look look;
 };
 
-/// Adds the options to a command.
-void add_picture_options(CLI::App& command, PictureRequest& request);
+/// Adds the options to a command, as a group of their own.
+CLI::Option_group& add_picture_options(CLI::App& command, PictureRequest& request);
+
+/// Whether the picture shows what Simulation::watch_flux counts.
+inline bool shows_flux(const PictureRequest& request) { return request.look.show == "flux"; }
 
 /// What the request means. Throws InputError with all that is wrong with it.
 struct PicturePlan {
@@ -33,8 +36,8 @@ struct PicturePlan {
 };
 PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view);
 
-/// What pictures show of a run: its terrain, its fields, its wind shadow and its last wind. Holds what it computes;
-/// valid until the next step.
+/// What pictures show of a run: its terrain, its fields, its wind shadow, its flux where that is watched, and its last
+/// wind. Holds what it computes; valid until the next step.
 class RunView {
  public:
   explicit RunView(Simulation& simulation);
@@ -42,6 +45,7 @@ class RunView {
 
  private:
   Field shadow_;
+  Field flux_;
   TerrainView view_;
 };
 

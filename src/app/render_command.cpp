@@ -9,6 +9,7 @@
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/run_setup.h"
+#include "core/errors.h"
 #include "io/config_file.h"
 #include "io/image.h"
 #include "io/start_simulation.h"
@@ -36,16 +37,34 @@ Simulation start(const RenderRequest& request) {
   return start_simulation(run);
 }
 
+/// The step that the picture shows.
+std::int64_t last_step(const RenderRequest& request, const Simulation& simulation) {
+  if (request.steps >= 0) return request.steps;
+  return is_checkpoint(request.source) ? simulation.step_count() : simulation.config().run.integer("steps");
+}
+
+/// A wrong option should be known before the run, not after it.
+void check_picture(const RenderRequest& request, Simulation& simulation) {
+  const bool flux = shows_flux(request.picture);
+  simulation.watch_flux(flux);
+  plan_picture(request.picture, RunView(simulation).view());
+  simulation.watch_flux(false);
+  if (!flux || last_step(request, simulation) > simulation.step_count()) return;
+  throw InputError(
+      "--look flux", "shows what the last steps have moved, and here none are done",
+      "ask for more, such as --steps " + std::to_string(simulation.step_count() + FluxWatch::steps_of_mean));
+}
+
 /// Steps to the state that the picture shows. False when interrupted.
 bool grow(const RenderRequest& request, Simulation& simulation) {
-  std::int64_t last = request.steps;
-  if (last < 0)
-    last = is_checkpoint(request.source) ? simulation.step_count() : simulation.config().run.integer("steps");
+  const std::int64_t last = last_step(request, simulation);
+  const bool flux = shows_flux(request.picture);
   print_notice(simulation.executor());
   Progress progress(progress_style(request.quiet), simulation.model_type().info.title, simulation.step_count(), last);
   const InterruptGuard guard;
   while (simulation.step_count() < last && !simulation.finished()) {
     if (InterruptGuard::interrupted()) return false;
+    if (flux && simulation.step_count() >= last - FluxWatch::steps_of_mean) simulation.watch_flux(true);
     simulation.step();
     print_notice(simulation.executor());
     progress.update(simulation.step_count(), simulation.totals().polls);
@@ -58,8 +77,7 @@ ExitCode render(const RenderRequest& request) {
   simulation.keep_paths(request.paths);
   const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);
   Renderer renderer;
-  // A wrong option should be known before the run, not after it.
-  plan_picture(request.picture, RunView(simulation).view());
+  check_picture(request, simulation);
   if (!grow(request, simulation)) {
     std::cerr << "Interrupted after step " << simulation.step_count() << "; no picture was written.\n";
     return exit_failed;
@@ -68,12 +86,7 @@ ExitCode render(const RenderRequest& request) {
   const PicturePlan plan = plan_picture(request.picture, run.view());
   const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
   for (const std::string& note : picture.notes) std::cerr << "note: " << note << "\n";
-  const MetadataEntries entries = metadata(provenance_of(simulation));
-  if (plan.look.transparent) {
-    write_png(request.out, picture.image, entries);
-  } else {
-    write_png(request.out, picture.opaque(), entries);
-  }
+  write_png(request.out, picture.image, metadata(provenance_of(simulation)));
   if (!request.quiet) std::cout << "wrote " << request.out << " (" << context->renderer() << ")\n";
   return exit_done;
 }

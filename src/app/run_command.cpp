@@ -111,14 +111,26 @@ ExitCode grow(const RunRequest& request, Simulation& simulation, MeasuredRun& me
   return exit_done;
 }
 
+const std::vector<std::string>& formats(const RunRequest& request) {
+  return request.formats.empty() ? usual_formats() : request.formats;
+}
+
+void check_flux(const RunRequest& request) {
+  if (!request.flux) return;
+  const std::vector<std::string>& written = formats(request);
+  if (writes_files(request) && std::find(written.begin(), written.end(), "vti") != written.end()) return;
+  throw InputError("--flux", "is written into VTI files, and none are asked for", "add --format vti");
+}
+
 ExitCode run(const RunRequest& request, const PictureRequest& picture) {
   check_stats_path(request.stats);
+  check_flux(request);
   Simulation simulation = start_simulation(request);
   std::unique_ptr<RunOutput> output;
   if (writes_files(request)) {
-    const std::vector<std::string>& formats = request.formats.empty() ? usual_formats() : request.formats;
-    output = std::make_unique<RunOutput>(output_folder(request), run_name(request), formats, simulation);
+    output = std::make_unique<RunOutput>(output_folder(request), run_name(request), formats(request), simulation);
   }
+  simulation.watch_flux(request.flux || (request.frames > 0 && shows_flux(picture)));
   std::unique_ptr<Film> film;
   if (request.frames > 0) {
     film = std::make_unique<Film>(output_folder(request), run_name(request), request.frames, picture, simulation);
@@ -174,11 +186,14 @@ void add_run_command(CLI::App& program, Action& action) {
   command->add_option("--stats", request->stats, "Write the run's numbers to this JSON file");
   command->add_flag("--hash", request->hash, "Print the hash of the final state");
   command->add_flag("--quiet", request->quiet, "Print nothing but errors and the hash");
-  command
-      ->add_option("--frames", request->frames,
-                   "Draw a picture every so many steps, and join them to a film where ffmpeg is installed")
-      ->check(CLI::PositiveNumber);
-  add_picture_options(*command, *picture);
+  command->add_flag("--flux", request->flux, "Count the slabs lifted from each cell: the field \"flux\" of VTI files");
+  CLI::Option* const frames =
+      command
+          ->add_option("--frames", request->frames,
+                       "Draw a picture every so many steps, and join them to a film where ffmpeg is installed")
+          ->check(CLI::PositiveNumber);
+  // Without pictures they would do nothing.
+  for (CLI::Option* option : add_picture_options(*command, *picture).get_options()) option->needs(frames);
   command->callback([&action, request, picture] {
     if (request->config.empty() && request->resume.empty()) throw CLI::RequiredError("CONFIG or --resume");
     action = [request, picture] { return run(*request, *picture); };

@@ -101,7 +101,9 @@ void RunOutput::write_state() {
     const Grid<std::uint8_t> shadow =
         shadow_map(terrain, simulation_.last_wind().bearing, simulation_.model().shadow_fall(terrain.cell_size()));
     const fs::path path = numbered(".vti");
-    write_vti(path, terrain, &shadow, source);
+    std::vector<Field> more;
+    if (simulation_.flux() != nullptr) more.push_back(simulation_.flux()->mean());
+    write_vti(path, terrain, &shadow, source, more);
     files_.push_back(path);
   }
   write_meshes(source);

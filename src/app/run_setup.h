@@ -20,6 +20,7 @@ struct RunRequest {
   std::vector<std::string> formats;            ///< empty: not given
   std::int64_t every = 0;                      ///< steps between outputs; 0: at the end only
   std::int64_t frames = 0;                     ///< steps between the pictures of a film; 0: none
+  bool flux = false;                           ///< .vti files hold the field "flux"
   std::string stats;                           ///< file; empty: none
   bool hash = false;
   bool quiet = false;

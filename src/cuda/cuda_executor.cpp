@@ -27,6 +27,7 @@ StepReport CudaExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNo
       give_up(terrain, error.what());
     }
   }
+  cpu_.count_lifts(lift_counts());
   return cpu_.step(terrain, law, wind, key);
 }
 
@@ -39,6 +40,7 @@ GrainReport CudaExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law, 
       give_up(terrain, error.what());
     }
   }
+  cpu_.count_lifts(lift_counts());
   return cpu_.fly_grains(terrain, law, wind, key, look);
 }
 
@@ -52,7 +54,9 @@ StepReport CudaExecutor::step_on_device(Terrain& terrain, const SlabLaw& law, co
     slabs_->load(terrain, frame);
     take_up(Holder::slabs, terrain);
   }
+  slabs_->count_lifts(lift_counts() != nullptr);
   const StepReport report = slabs_->step(law, frame, wind.strength, key);
+  if (lift_counts() != nullptr) slabs_->take_lift_counts(*lift_counts());
   terrain.ledger().in += report.slabs_in;
   terrain.ledger().out += report.slabs_out;
   remember(again(law, wind, key), terrain);
@@ -70,7 +74,7 @@ GrainReport CudaExecutor::fly_on_device(Terrain& terrain, const GrainStepLaw& la
     grains_->load(terrain, frame);
     take_up(Holder::grains, terrain);
   }
-  const GrainReport report = book_grains(terrain, grains_->step(terrain, law, frame, key, look));
+  const GrainReport report = book_grains(terrain, grains_->step(terrain, law, frame, key, look, lift_counts()));
   remember([this, law, wind, key](Terrain& ground) { cpu_.fly_grains(ground, law, wind, key, {}); }, terrain);
   return report;
 }

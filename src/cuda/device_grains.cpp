@@ -106,7 +106,7 @@ void DeviceGrains::send_law(const GrainStepLaw& law) {
 }
 
 GrainTally DeviceGrains::step(const Terrain& terrain, const GrainStepLaw& law, const WindFrame& frame, StepKey key,
-                              const GroundLook& look) {
+                              const GroundLook& look, Grid<std::int32_t>* lift_counts) {
   if (!frame_.same_axes(frame)) turn(frame);
   frame_ = frame;
   send_law(law);
@@ -124,6 +124,11 @@ GrainTally DeviceGrains::step(const Terrain& terrain, const GrainStepLaw& law, c
   plan_.bed.asked = asked_.data();
   plan_.bed.asked_speed = asked_speed_.data();
   plan_.bed.points = points_.data();
+  if (lift_counts != nullptr) {
+    device_.fit(lifted_, lift_counts->size());
+    device_.fill(lifted_.data(), 0, lifted_.bytes());
+    plan_.bed.lifted = lifted_.data();
+  }
   plan_.law = law_.data();
   plan_.abrasion = law.abrasion;
   plan_.settling = law.settling;
@@ -137,6 +142,10 @@ GrainTally DeviceGrains::step(const Terrain& terrain, const GrainStepLaw& law, c
   GrainTallyWords sum{};
   const std::vector<TallyWord> words = device_.fetch(tally_.data(), tally_.size());
   for (std::size_t k = 0; k < words.size(); ++k) sum.of[k % tally_words] += static_cast<std::int64_t>(words[k]);
+  if (lift_counts != nullptr) {
+    const std::vector<std::int32_t> lifts = bring_back(lifted_);
+    for (std::size_t cell = 0; cell < lifts.size(); ++cell) (*lift_counts)[cell] += lifts[cell];
+  }
   return std::bit_cast<GrainTally>(sum);
 }
 

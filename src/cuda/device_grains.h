@@ -19,9 +19,10 @@ class DeviceGrains : private GrainPhases {
 
   /// Brings the terrain to the device. This and all that follows throws DeviceError.
   void load(const Terrain& terrain, const WindFrame& frame);
-  /// One time step of what is loaded; `terrain` tells only what never changes between loads.
+  /// One time step of what is loaded; `terrain` tells only what never changes between loads. `lift_counts`: as
+  /// Executor::lift_counts.
   GrainTally step(const Terrain& terrain, const GrainStepLaw& law, const WindFrame& frame, StepKey key,
-                  const GroundLook& look);
+                  const GroundLook& look, Grid<std::int32_t>* lift_counts);
   /// Brings back the mobile layer and, where grains may have bonded or come free since the terrain was loaded, the
   /// field of bonded ones. The terrain must be the one that was loaded.
   void settle(Terrain& terrain);
@@ -64,6 +65,7 @@ class DeviceGrains : private GrainPhases {
   Counts gone_;
   Counts come_;
   Counts stirred_;
+  Counts lifted_;  // empty until lifts are counted
   Counts asked_;
   Counts asked_speed_;
   Counts staged_;

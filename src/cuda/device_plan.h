@@ -87,6 +87,7 @@ struct DevicePlan {
 
   TerrainOrder order;
   std::int32_t* staged = nullptr;          ///< a layer in the terrain's order, on its way in or from frame to frame
+  std::int32_t* lift_counts = nullptr;     ///< slabs lifted from each cell in the terrain's order; null: not counted
   std::int32_t* shown = nullptr;           ///< the surface in the terrain's order as the processor last saw it
   std::uint32_t* bands_changed = nullptr;  ///< 1 for bands of band_cells cells of `shown` that have changed since
 

@@ -105,6 +105,21 @@ void DeviceSlabs::settle(Terrain& terrain) {
   }
 }
 
+void DeviceSlabs::count_lifts(bool wanted) {
+  const std::size_t count = wanted ? before_.size() : 0;
+  if (lift_counts_.size() == count) return;
+  lift_counts_ = DeviceArray<std::int32_t>();
+  if (!wanted) return;
+  lift_counts_ = DeviceArray<std::int32_t>(device_, count);
+  device_.fill(lift_counts_.data(), 0, lift_counts_.bytes());
+}
+
+void DeviceSlabs::take_lift_counts(Grid<std::int32_t>& counts) {
+  const std::vector<std::int32_t> lifts = fetch(device_, lift_counts_.data(), lift_counts_.size());
+  device_.fill(lift_counts_.data(), 0, lift_counts_.bytes());
+  for (std::size_t cell = 0; cell < lifts.size(); ++cell) counts[cell] += lifts[cell];
+}
+
 // --- what the law means on this grid ---
 
 DevicePlan DeviceSlabs::layout() const {
@@ -127,6 +142,7 @@ DevicePlan DeviceSlabs::layout() const {
   plan.staged = staged_.data();
   plan.shown = shown_.data();
   plan.bands_changed = bands_changed_.data();
+  plan.lift_counts = lift_counts_.data();
   return plan;
 }
 

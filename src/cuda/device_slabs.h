@@ -22,6 +22,10 @@ class DeviceSlabs {
   void load(const Terrain& terrain, const WindFrame& frame);
   /// One time step of what is loaded.
   StepReport step(const SlabLaw& law, const WindFrame& frame, double strength, StepKey key);
+  /// Counts, in the steps to come, the slabs lifted from each cell (Executor::count_lifts), or stops.
+  void count_lifts(bool wanted);
+  /// Adds what was counted since this was last called to `counts`.
+  void take_lift_counts(Grid<std::int32_t>& counts);
   /// Brings back what has changed of the mobile layer since it was last brought back, or loaded. The terrain must be
   /// the one that was loaded.
   void settle(Terrain& terrain);
@@ -66,6 +70,7 @@ class DeviceSlabs {
   DeviceArray<std::uint8_t> dark_;
   DeviceArray<std::int32_t> staged_;
   DeviceArray<std::int32_t> shown_;
+  DeviceArray<std::int32_t> lift_counts_;  // empty unless they are wanted
   DeviceArray<std::uint32_t> bands_changed_;
   DeviceArray<std::int32_t> first_aloft_;
   DeviceArray<SlabAloft> aloft_;

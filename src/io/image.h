@@ -17,7 +17,8 @@ struct GreyImage {
   std::vector<std::uint16_t> pixels;
 };
 
-/// Writes a PNG, whole or not at all, with the entries as text chunks. Throws InputError when it cannot be written.
+/// Writes a PNG, whole or not at all, with the entries as text chunks; without opacity where all of it is opaque.
+/// Throws InputError when it cannot be written.
 void write_png(const std::filesystem::path& path, const RgbImage& image, const MetadataEntries& entries);
 void write_png(const std::filesystem::path& path, const RgbaImage& image, const MetadataEntries& entries);
 void write_png(const std::filesystem::path& path, const GreyImage& image, const MetadataEntries& entries);

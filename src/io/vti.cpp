@@ -34,7 +34,14 @@ PointArray metres_array(std::string name, const Terrain& terrain, std::function<
           }};
 }
 
-std::vector<PointArray> arrays_of(const Terrain& terrain, const Grid<std::uint8_t>* shadow) {
+PointArray field_array(const Field& field) {
+  return {field.info.key, "Float32", 4, [&field](int y, std::string& row) {
+            for (const float value : field.values.row(y)) append_value(row, value);
+          }};
+}
+
+std::vector<PointArray> arrays_of(const Terrain& terrain, const Grid<std::uint8_t>* shadow,
+                                  std::span<const Field> more) {
   std::vector<PointArray> arrays = {
       metres_array("surface", terrain, [&](int x, int y) { return terrain.height(x, y); }),
       metres_array("sand", terrain, [&](int x, int y) { return terrain.mobile()(x, y); }),
@@ -44,11 +51,8 @@ std::vector<PointArray> arrays_of(const Terrain& terrain, const Grid<std::uint8_
                         for (const std::uint8_t dark : shadow->row(y)) append_value(row, dark);
                       }});
   }
-  for (const Field& field : terrain.fields()) {
-    arrays.push_back({field.info.key, "Float32", 4, [&field](int y, std::string& row) {
-                        for (const float value : field.values.row(y)) append_value(row, value);
-                      }});
-  }
+  for (const Field& field : terrain.fields()) arrays.push_back(field_array(field));
+  for (const Field& field : more) arrays.push_back(field_array(field));
   return arrays;
 }
 
@@ -87,8 +91,8 @@ std::string header(const Terrain& terrain, const std::vector<PointArray>& arrays
 }  // namespace
 
 void write_vti(const std::filesystem::path& path, const Terrain& terrain, const Grid<std::uint8_t>* shadow,
-               const Provenance& provenance) {
-  const std::vector<PointArray> arrays = arrays_of(terrain, shadow);
+               const Provenance& provenance, std::span<const Field> more) {
+  const std::vector<PointArray> arrays = arrays_of(terrain, shadow, more);
   write_file_atomically(path, [&](const ByteSink& sink) {
     sink(header(terrain, arrays, provenance));
     std::string row;

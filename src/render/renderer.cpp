@@ -93,13 +93,19 @@ Picture empty_picture(const PictureSize& size) {
   return picture;
 }
 
-void write_over(RgbaImage& image, const Overlay& overlay) {
-  RgbImage plain = over(image, {1, 1, 1});
-  draw_overlay(plain, overlay);
+void take_opaque(RgbaImage& image, const RgbImage& plain) {
   for (std::size_t pixel = 0; pixel < image.pixels.size() / 4; ++pixel) {
     std::copy_n(plain.pixels.data() + 3 * pixel, 3, image.pixels.data() + 4 * pixel);
     image.pixels[4 * pixel + 3] = 255;
   }
+}
+
+void lay_on_white(RgbaImage& image) { take_opaque(image, over(image, {1, 1, 1})); }
+
+void write_over(RgbaImage& image, const Overlay& overlay) {
+  RgbImage plain = over(image, {1, 1, 1});
+  draw_overlay(plain, overlay);
+  take_opaque(image, plain);
 }
 
 bool is_empty(const TerrainView& view) { return view.terrain == nullptr || view.terrain->extent().cells() == 0; }
@@ -161,6 +167,7 @@ Picture Renderer::draw(const TerrainView& view, const Look& look, const Camera& 
                             size.height * size.supersample);
   picture.triangles = work_->painter.triangles();
   picture.image = shrink(work_->target.read(), size);
+  if (!look.transparent) lay_on_white(picture.image);
   if (!look.is_material()) picture.scale = work_->maps.scale();
   if (look.legend && !look.transparent) {
     Overlay overlay{.scale = picture.scale,

@@ -168,6 +168,7 @@ const ShaderProgram& ScenePainter::land_program(const PaintRequest& request, boo
   word(look.is_material(), "MATERIAL");
   word(look.is_material() && request.effort.grains && look.grain > 0, "GRAINS");
   word(look.is_material() && request.maps.has_plants(), "PLANTS");
+  word(look.is_material() && request.maps.has_plants() && look.tufts, "TUFTS");
   word(look.contours > 0, "CONTOURS");
   const auto found = land_programs_.find(words);
   if (found != land_programs_.end()) return found->second;
@@ -261,7 +262,7 @@ void ScenePainter::paint_walls(const PaintRequest& request, const Air& air) cons
 }
 
 void ScenePainter::paint_tufts(const PaintRequest& request, const Air& air) const {
-  constexpr int blades = 5;
+  constexpr int blades = 11;
   constexpr int most_a_cell = 6;
   int planted = 0;
   for (const auto& sheet : request.maps.sheets()) planted += sheet->planted_count();
@@ -273,6 +274,7 @@ void ScenePainter::paint_tufts(const PaintRequest& request, const Air& air) cons
   air.hand_to(tuft_program_);
   request.maps.bind(tuft_program_);
   tuft_program_.set("tufts_a_cell", tufts_a_cell);
+  tuft_program_.set("blades", blades);
   glBindVertexArray(tuft_vertices_.id());
   glEnableVertexAttribArray(0);
   for (const auto& sheet : request.maps.sheets()) {

@@ -71,7 +71,14 @@ StepReport Simulation::step() {
   const StepReport report = model_->step(state_.terrain, wind(), key, *executor_);
   state_.totals += report;
   ++state_.step;
+  if (flux_) flux_->stepped();
   return report;
+}
+
+void Simulation::watch_flux(bool wanted) {
+  if (wanted == (flux_ != nullptr)) return;
+  flux_ = wanted ? std::make_unique<FluxWatch>(state_.terrain.extent()) : nullptr;
+  executor_->count_lifts(wanted ? &flux_->counts() : nullptr);
 }
 
 const Terrain& Simulation::terrain() {
@@ -101,6 +108,7 @@ void Simulation::change(Config config) {
   config_ = std::move(config);
   model_ = std::move(model);
   executor_ = std::move(executor);
+  if (flux_) executor_->count_lifts(&flux_->counts());
   begin_model(nullptr);
   wake();
 }

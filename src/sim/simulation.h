@@ -7,6 +7,7 @@
 #include "core/terrain.h"
 #include "models/model.h"
 #include "sim/config.h"
+#include "sim/flux_watch.h"
 #include "sim/scene.h"
 #include "transport/executor.h"
 
@@ -36,6 +37,11 @@ class Simulation {
   const Model& model() const { return *model_; }
   /// Keeps the ways of about so many grains of every step to come (Model::keep_paths).
   void keep_paths(int count) { model_->keep_paths(count); }
+  /// From the next step on counts how many quanta are lifted from each cell, for `flux`; false: no longer. Steps take
+  /// somewhat longer; what they do does not change.
+  void watch_flux(bool wanted);
+  /// What it counts; null where that is not wanted.
+  const FluxWatch* flux() const { return flux_.get(); }
   /// Steps done.
   std::int64_t step_count() const { return state_.step; }
   /// The wind of the step to come.
@@ -71,6 +77,7 @@ class Simulation {
   std::unique_ptr<Model> model_;
   std::unique_ptr<Executor> executor_;
   RunState state_;
+  std::unique_ptr<FluxWatch> flux_;  // the executor counts there
 };
 
 }  // namespace erg

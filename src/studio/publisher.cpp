@@ -149,7 +149,11 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
     lane.fields_revision = terrain.fields_revision();
     view.mass_now = terrain.total_mobile();
     view.shadow = nullptr;
+    view.flux = nullptr;
   }
+  simulation.watch_flux(flux_wanted_);  // of a run that was made anew or taken back, too
+  if (!flux_wanted_) view.flux = nullptr;
+  if (flux_wanted_ && view.flux == nullptr) view.flux = std::make_shared<const Field>(simulation.flux()->mean());
   if (shadow_wanted_ && view.shadow == nullptr) {
     const Grid<std::uint8_t> dark = shadow_map(*view.terrain, simulation.last_wind().bearing,
                                                simulation.model().shadow_fall(view.terrain->cell_size()));
@@ -200,5 +204,7 @@ void Publisher::start_rates() {
 }
 
 void Publisher::watch_shadow(bool wanted) { shadow_wanted_ = wanted; }
+
+void Publisher::watch_flux(bool wanted) { flux_wanted_ = wanted; }
 
 }  // namespace erg

@@ -39,6 +39,7 @@ class Publisher {
   /// Rates start anew: the runs begin to move now.
   void start_rates();
   void watch_shadow(bool wanted);
+  void watch_flux(bool wanted);
 
  private:
   struct Lane;
@@ -52,6 +53,7 @@ class Publisher {
   std::shared_ptr<TerrainPool> pool_;
   std::uint64_t next_version_ = 1;
   bool shadow_wanted_ = false;
+  bool flux_wanted_ = false;
   Clock::time_point next_{};
   Clock::time_point numbers_taken_{};
   // Of the present second.

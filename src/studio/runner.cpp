@@ -135,7 +135,13 @@ void Runner::redo() {
 }
 
 void Runner::watch_shadow(bool wanted) {
+  if (std::exchange(shadow_watched_, wanted) == wanted) return;
   give([this, wanted] { publisher_.watch_shadow(wanted); });
+}
+
+void Runner::watch_flux(bool wanted) {
+  if (std::exchange(flux_watched_, wanted) == wanted) return;
+  give([this, wanted] { publisher_.watch_flux(wanted); });
 }
 
 // -- the worker --

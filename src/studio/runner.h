@@ -73,6 +73,8 @@ class Runner {
   void redo();
   /// Whether snapshots carry the wind's shadow.
   void watch_shadow(bool wanted);
+  /// Whether the runs count where slabs are lifted, and snapshots carry that.
+  void watch_flux(bool wanted);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -121,6 +123,10 @@ class Runner {
   std::int64_t goal_ = -1;
   Clock::time_point next_step_{};
   Clock::duration worked_{};  // that steps have taken since the runs were made or reset
+
+  // The window's own: what it asked for last.
+  bool shadow_watched_ = false;
+  bool flux_watched_ = false;
 
   std::thread thread_;
 };

@@ -37,6 +37,8 @@ struct RunSnapshot {
   std::uint64_t terrain_version = 0;
   /// Where the wind's shadow lies (1 dark), under the last wind; null unless Runner::watch_shadow asks for it.
   std::shared_ptr<const Field> shadow;
+  /// Lifts from each cell a step (FluxWatch::mean); null unless Runner::watch_flux asks for it.
+  std::shared_ptr<const Field> flux;
   std::shared_ptr<const Series> series;  ///< the run's numbers over time
   std::int64_t step = 0;                 ///< steps done
   WindNow last_wind;                     ///< of the last step done

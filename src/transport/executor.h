@@ -44,6 +44,12 @@ class Executor {
                                  const GroundLook& look) = 0;
   /// Brings the terrain's layers up to date, and its fields where an executor changes them.
   virtual void settle(Terrain& terrain) = 0;
+  /// Adds, from the next step on, the slabs that the polls of a step lift from each cell to `counts`, whose extent is
+  /// the terrain's and which must stay; null: no longer. Costs some time, and changes nothing else. In all cells
+  /// together a step adds its `lifts`.
+  void count_lifts(Grid<std::int32_t>* counts) { lift_counts_ = counts; }
+  /// Where lifts are counted; null: nowhere. A model that lifts slabs itself adds them here.
+  Grid<std::int32_t>* lift_counts() const { return lift_counts_; }
   /// What the user should know that happened since this was last asked (a device was lost), in one line; mostly empty.
   virtual std::string take_notice() { return {}; }
   /// Runs `work` over pieces [begin, end) that together are [0, items), on all threads, and returns when all are done:
@@ -51,6 +57,9 @@ class Executor {
   /// they begin; `work` must not throw.
   virtual void for_pieces(std::int64_t items,
                           const std::function<void(std::int64_t begin, std::int64_t end)>& work) = 0;
+
+ private:
+  Grid<std::int32_t>* lift_counts_ = nullptr;
 };
 
 /// Which machine instructions the parallel engine may use. All give the same bits.

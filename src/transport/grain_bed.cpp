@@ -50,6 +50,8 @@ void GrainBed::load(const Terrain& terrain, const WindFrame& frame) {
       if (bonded != nullptr) bonded_[to] = bonded_grains(mobile_[to], bonded->values[from]);
     }
   }
+  lifted_.assign(executor_->lift_counts() == nullptr ? 0 : cells, 0);
+  planes_.lifted = lifted_.empty() ? nullptr : lifted_.data();
   planes_.shelter = law_->shelter->data();
   planes_.bedrock = bedrock_.data();
   planes_.mobile = mobile_.data();
@@ -71,6 +73,7 @@ void GrainBed::store(Terrain& terrain, const WindFrame& frame) const {
       const std::size_t to = frame.cell(u, v);
       mobile[to] = mobile_[from];
       if (bonded != nullptr) bonded->values[to] = static_cast<float>(bonded_[from]);
+      if (!lifted_.empty()) (*executor_->lift_counts())[to] += lifted_[from];
     }
   }
 }

@@ -54,6 +54,7 @@ class GrainBed : private GrainPhases {
   Counts gone_;
   Counts come_;
   Counts stirred_;
+  Counts lifted_;  // empty unless lifts are counted
   Counts asked_;
   Counts asked_speed_;
   std::vector<GroundPoint> points_;

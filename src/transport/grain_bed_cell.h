@@ -47,6 +47,7 @@ struct BedPlanes {
   std::int32_t* gone = nullptr;         ///< left in this sub-step
   std::int32_t* come = nullptr;         ///< came in this sub-step
   std::int32_t* stirred = nullptr;      ///< came or went in this step
+  std::int32_t* lifted = nullptr;       ///< flew off when polled in this step; null: not counted
   std::int32_t* asked = nullptr;        ///< impacts asked for so many
   std::int32_t* asked_speed = nullptr;  ///< in 1/64 m/s, summed over the grains asked for
   GroundPoint* points = nullptr;        ///< the frozen ground with its rim
@@ -219,6 +220,7 @@ ERG_CELL_ACT void poll_grain(const GrainLaw& law, const BedPlanes& bed, const Gr
     return;
   }
   ++bed.gone[cell];  // nobody else polls this cell
+  if (bed.lifted != nullptr) ++bed.lifted[cell];
   ++tally.lifts;
   BedWatch watch{&bed};
   const FlightEnd end = fly(law, ground, grain, dice, tally.flights, watch);

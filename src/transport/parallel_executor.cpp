@@ -41,6 +41,7 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
   frame_ = frame;
   if (narrow_ != narrow_fits(narrow_ ? highest_ : highest_ + highest_ / 8)) change_lanes(!narrow_);
   prepare_walls(law);
+  prepare_lift_counts();
 
   Progress progress;
   progress.law = &law;
@@ -53,6 +54,7 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
   };
   while (!(narrow_ ? sweep(std::uint8_t{}) : sweep(std::uint16_t{}))) change_lanes(false);
   highest_ = progress.highest;
+  hand_out_lift_counts();
 
   const SweepCounts& counts = progress.counts;
   mobile_total_ += counts.slabs_in - counts.slabs_out;
@@ -112,6 +114,7 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     plan.before = before;
     plan.after = after;
     plan.ring_rows = rows;
+    plan.lifted = lifted_.empty() ? nullptr : lifted_.data();
     for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
     team_.meet();
     if (layout_.lean != 0) {
@@ -133,6 +136,7 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
       progress.crowded = true;
       break;
     }
+    if (plan.lifted != nullptr) add_lifted(member);
     slide<Lane>(kernels, slide_plan<Lane>(plan, *progress.law), member);
     take_account(progress, counts, bound);
     std::swap(before, after);

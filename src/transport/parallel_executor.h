@@ -95,6 +95,9 @@ class ParallelExecutor : public Executor {
   int ring_rows(int highest) const;
   template <typename Lane>
   void prepare_strips(int ring_rows);
+  void prepare_lift_counts();
+  void add_lifted(int member);
+  void hand_out_lift_counts();
 
   bool goes_on(const Progress& progress) const;
   template <typename Lane>
@@ -130,6 +133,8 @@ class ParallelExecutor : public Executor {
   Planes<std::uint8_t> narrow_planes_;
   Planes<std::uint16_t> wide_planes_;
   AlignedVector<std::uint8_t> cover_;
+  AlignedVector<std::uint8_t> lifted_;       ///< of one sub-sweep (SweepPlan::lifted); empty unless lifts are counted
+  AlignedVector<std::uint32_t> step_lifts_;  ///< of each cell in this step, with it
   std::uint64_t cover_revision_ = 0;
   bool cover_loaded_ = false;
   std::vector<std::uint8_t> wall_rows_;

@@ -232,6 +232,31 @@ void ParallelExecutor::prepare_strips(int ring_rows) {
   }
 }
 
+// --- counting where slabs are lifted ---
+
+void ParallelExecutor::prepare_lift_counts() {
+  const std::size_t places =
+      lift_counts() == nullptr ? 0 : layout_.block_size * static_cast<std::size_t>(layout_.blocks);
+  lifted_.assign(places, 0);
+  step_lifts_.assign(places, 0);
+}
+
+/// Adds what a sub-sweep has lifted, once it is known that it stands. A member's share of the plane, whoever wrote it.
+void ParallelExecutor::add_lifted(int member) {
+  const auto places = static_cast<std::int64_t>(lifted_.size());
+  const std::int64_t end = places * (member + 1) / team_.size();
+  for (std::int64_t place = places * member / team_.size(); place < end; ++place) {
+    step_lifts_[static_cast<std::size_t>(place)] += lifted_[static_cast<std::size_t>(place)];
+  }
+}
+
+void ParallelExecutor::hand_out_lift_counts() {
+  if (lift_counts() == nullptr) return;
+  Grid<std::int32_t>& counts = *lift_counts();
+  visit_cells(
+      [&](std::size_t here, std::size_t there) { counts[there] += static_cast<std::int32_t>(step_lifts_[here]); });
+}
+
 /// Rows of ring that hold the longest hop from ground up to `highest`: a power of two.
 int ParallelExecutor::ring_rows(int highest) const {
   const std::size_t heights = std::min(hop_table_.size(), static_cast<std::size_t>(highest) + 1);

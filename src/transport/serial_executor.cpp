@@ -174,6 +174,7 @@ bool SerialExecutor::lift(std::size_t cell, Draws& draws) {
   }
   change(source, -1);
   ++report_.lifts;
+  if (lift_counts() != nullptr) ++(*lift_counts())[frame_.cell(start.u, start.v)];
   fly(start, height, draws);
   return true;
 }

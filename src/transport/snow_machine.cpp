@@ -237,6 +237,7 @@ void SnowMachine::fly_in_sweeps() {
   plan.over = over_.data();
   plan.longest_mean_hop = longest_mean_hop_;
   plan.relief = relief_;
+  plan.lift_counts = executor_->lift_counts();
   report_ = flights_.fly(plan, instructions_, *executor_);
 }
 

@@ -37,6 +37,7 @@ void SnowMachine::poll(Place place, std::uint64_t word) {
   const std::uint32_t snow = snow_word(std::min(loose, 1), std::min(mobile_[here], 1));
   if ((word & 0xffff) >= lift_chance_of(snow, chances_[here])) return;
   ++report_.lifts;
+  if (Grid<std::int32_t>* const counts = executor_->lift_counts()) ++(*counts)[here];
   --mobile_[here];
   if (loose > 0) --loose;
   fly(place, word, false);

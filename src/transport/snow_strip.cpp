@@ -221,6 +221,7 @@ void SnowStrip::sweep(const SnowSweep& sweep) {
       const int line = __builtin_ctzll(lifted);
       SnowCell& cell = cells[line * next_line_];
       cell.snow = without_slab(cell.snow);
+      if (plan_.lift_counts != nullptr) ++(*plan_.lift_counts)[plan_.frame.cell(column(row, line), row)];
       air.launch(cell, row, line, static_cast<std::uint32_t>(line_word(row_word, line)));
     }
     for (std::uint64_t all = air.arrived(row); all != 0; all &= all - 1) {

@@ -29,8 +29,9 @@ struct SnowFlightPlan {
   const std::uint32_t* chances = nullptr;  ///< SnowWeather of each cell
   const std::uint32_t* hops = nullptr;
   const std::int16_t* over = nullptr;
-  std::uint32_t longest_mean_hop = 0;  ///< 1/64 rows
-  bool relief = false;                 ///< the bedrock is not level
+  std::uint32_t longest_mean_hop = 0;         ///< 1/64 rows
+  bool relief = false;                        ///< the bedrock is not level
+  Grid<std::int32_t>* lift_counts = nullptr;  ///< Executor::lift_counts
 
   // Filled in by SnowFlights.
   std::int64_t drift = 0;        ///< columns that a line moves over the length of the grid

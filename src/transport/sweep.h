@@ -43,6 +43,7 @@ struct SweepPlan : SubSweep {
   const Lane* bedrock = nullptr;            ///< null where all bedrock is level (then it is 0)
   const std::uint8_t* cover = nullptr;      ///< null: bare
   const std::uint8_t* wall_rows = nullptr;  ///< with obstacles: 1 where the row holds bedrock that may stop slabs
+  std::uint8_t* lifted = nullptr;           ///< written: 1 where a slab was lifted, else 0; null: not wanted
   bool open = false;
 
   int warm_up = 0;  ///< rows to read upwind of row 0 before the shadow is known

@@ -40,6 +40,7 @@ class Conveyor {
       decide(y, static_cast<Lane>(row_in_block));
       if (strip_.counts.crowded) return;
       write_row();
+      if (plan_.lifted) write_lifted();
       walk_.go_on();
       if (++row_in_block == block) row_in_block = 0;
     }
@@ -115,6 +116,15 @@ class Conveyor {
     overhang.lead = static_cast<Lane>(walk_.lead());
     const int own = own_lanes();
     for (int lane = own; lane < strip_.lines; ++lane) overhang.heights[lane - own] = row_.height[lane];
+  }
+
+  /// Which cells of the row have given a slab, for those who want to know.
+  void write_lifted() const {
+    walk_.for_runs(0, strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
+      std::uint8_t* __restrict out = plan_.lifted + cell;
+      const Lane* __restrict lifted = row_.lifted + lane;
+      ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<std::uint8_t>(lifted[i]);
+    });
   }
 
   void add_row() {

@@ -138,12 +138,7 @@ void Desktop::save_picture(const PictureOrder& order) {
   look.transparent = order.transparent;
   look.legend = shell_.scenery().legend;
   const Picture picture = land_.picture(*run, look, shell_.scenery().camera.camera(), order.size);
-  const MetadataEntries entries = metadata(studio_.provenance());
-  if (order.transparent) {
-    write_png(order.path, picture.image, entries);
-  } else {
-    write_png(order.path, picture.opaque(), entries);
-  }
+  write_png(order.path, picture.image, metadata(studio_.provenance()));
 }
 
 bool Desktop::busy() {

@@ -125,6 +125,7 @@ void LookPanel::draw_what(Desk& desk) {
     scenery_.look.show = choices[static_cast<std::size_t>(chosen)].key;
   }
   desk.studio.runner().watch_shadow(scenery_.look.show == "shadow");
+  desk.studio.runner().watch_flux(scenery_.look.show == "flux");
 }
 
 void LookPanel::draw_palettes() {
@@ -273,6 +274,7 @@ std::vector<LookChoice> look_choices(const Snapshot& now, std::size_t run) {
   std::vector<LookChoice> choices;
   for (const std::string& key : standard_looks()) choices.push_back({key, key});
   choices.push_back({"shadow", "wind shadow"});
+  choices.push_back({"flux", "flux"});
   if (run < now.runs.size()) {
     for (const Field& field : now.runs[run].terrain->fields()) choices.push_back({field.info.key, field.info.label});
   }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <optional>
 
 #include "io/image.h"
 #include "program.h"
@@ -23,6 +24,28 @@ Header png_header(const std::string& path) {
   };
   return {number(16), number(20), bytes[25]};
 }
+
+// Sets a variable of the environment for a while.
+class Surroundings {
+ public:
+  Surroundings(const char* name, const char* value) : name_(name) {
+    if (const char* const before = std::getenv(name)) before_ = before;
+    setenv(name, value, 1);
+  }
+  ~Surroundings() {
+    if (before_) {
+      setenv(name_, before_->c_str(), 1);
+    } else {
+      unsetenv(name_);
+    }
+  }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
 
 TEST(Render, DrawsAConfigAndACheckpointAlike) {
   const ScratchFolder folder;
@@ -61,6 +84,7 @@ TEST(Render, StepsAndLooksAreAsAskedFor) {
                                                                                     {"--look", "snow"},
                                                                                     {"--look", "shadow"},
                                                                                     {"--look", "elevation"},
+                                                                                    {"--look", "flux"},
                                                                                     {"--sun", "W,60"},
                                                                                     {"--camera", "top"},
                                                                                     {"--copies", "0"}}) {
@@ -124,6 +148,38 @@ TEST(Render, WrongUseWritesNothing) {
   }
 }
 
+TEST(Render, TheFluxNeedsStepsToBeSeenIn) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(12));
+  ASSERT_EQ(run_erg(folder, {"run", config, "--out", "out", "--format", "checkpoint", "--quiet"}).exit_code, 0);
+  const std::vector<std::string> words{
+      "render", "out/small-000012.checkpoint", "--out", "a.png", "--size", "64x48", "--look", "flux"};
+  const Ended without = run_erg(folder, words);
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_NE(without.errors.find("--steps 32"), std::string::npos) << without.errors;
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.png")));
+  std::vector<std::string> more = words;
+  more.insert(more.end(), {"--steps", "14"});
+  EXPECT_EQ(run_erg(folder, more).exit_code, 0);
+}
+
+TEST(Render, AMissingContextSaysWhatToInstall) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(1));
+  const auto draw = [&](const std::string& context) {
+    return run_erg(folder, {"render", config, "--out", "a.png", "--size", "64x48", "--context", context});
+  };
+  const Surroundings no_driver("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent");
+  const Surroundings too_old("MESA_GL_VERSION_OVERRIDE", "2.1");
+  for (const auto& [context, package] :
+       {std::pair{"egl", "libegl1"}, {"osmesa", "libosmesa6"}, {"auto", "libosmesa6"}}) {
+    const Ended ended = draw(context);
+    EXPECT_EQ(ended.exit_code, 2) << context;
+    EXPECT_NE(ended.errors.find(package), std::string::npos) << context << ": " << ended.errors;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.png")));
+}
+
 TEST(Film, FramesAreDrawnAsTheRunGoesOn) {
   const ScratchFolder folder;
   const std::string config = folder.write("small.json", small_config(10));
@@ -135,21 +191,6 @@ TEST(Film, FramesAreDrawnAsTheRunGoesOn) {
   }
   EXPECT_FALSE(std::filesystem::exists(folder.file("out/small-frames/000003.png")));
 }
-
-// Sets a variable of the environment for a while.
-class Surroundings {
- public:
-  Surroundings(const char* name, const char* value) : name_(name), before_(std::getenv(name)) {
-    setenv(name, value, 1);
-  }
-  ~Surroundings() { setenv(name_, before_.c_str(), 1); }
-  Surroundings(const Surroundings&) = delete;
-  Surroundings& operator=(const Surroundings&) = delete;
-
- private:
-  const char* name_;
-  std::string before_;
-};
 
 Ended film(const ScratchFolder& folder) {
   const std::string config = folder.write("small.json", small_config(8));

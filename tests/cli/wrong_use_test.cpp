@@ -70,6 +70,21 @@ TEST(WrongUse, EveryMistakeOfTheOptionsIsToldAtOnce) {
   EXPECT_EQ(folder.entries(), std::vector<std::string>{"small.json"});
 }
 
+TEST(WrongUse, OptionsThatWouldDoNothingAreRefused) {
+  const ScratchFolder folder;
+  folder.write("small.json", small_config(5));
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--look", "slope"}, "--frames"}, {{"--size", "64x48"}, "--frames"}, {{"--flux"}, "--format vti"}};
+  for (const auto& [options, word] : cases) {
+    std::vector<std::string> words{"run", "small.json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended ended = run_erg(folder, words);
+    EXPECT_EQ(ended.exit_code, 2) << options[0];
+    expect_contains(ended.errors, word);
+  }
+  EXPECT_EQ(folder.entries(), std::vector<std::string>{"small.json"});
+}
+
 TEST(WrongUse, AMissingConfigNamesTheNearestPreset) {
   const ScratchFolder folder;
   const Ended ended = run_erg(folder, {"run", "barchanss"});

@@ -90,12 +90,18 @@ inline void expect_same(const StepReport& ours, const StepReport& theirs, const 
 /// Terrain, ledger and reports of a run on `executor` are those of a run on `cpu`.
 inline void expect_same_as_threads(const Case& scene, CudaExecutor& executor) {
   Terrain terrain = ground(scene);
-  const StepReport theirs = scene.world.run(terrain, scene.options(), scene.steps);
+  Grid<std::int32_t> their_lifts(terrain.extent());
+  const auto threads = make_executor(scene.options());
+  threads->count_lifts(&their_lifts);
+  const StepReport theirs = scene.world.run(terrain, *threads, scene.steps);
   Terrain on_device = ground(scene);
+  Grid<std::int32_t> our_lifts(terrain.extent());
+  executor.count_lifts(&our_lifts);
   const StepReport ours = scene.world.run(on_device, executor, scene.steps);
   EXPECT_EQ(executor.name(), "cuda") << executor.take_notice();
   EXPECT_EQ(state_hash(on_device), state_hash(terrain)) << scene.name;
   EXPECT_EQ(on_device.ledger(), terrain.ledger()) << scene.name;
+  EXPECT_TRUE(our_lifts == their_lifts) << scene.name;
   expect_same(ours, theirs, scene.name);
 }
 

@@ -22,7 +22,10 @@ struct Story {
   int looks_every = 4;
   int wind_turns_at = 3;
 
-  std::uint64_t hash_on(Executor& executor, std::vector<std::string>& notices, MassLedger& ledger) const {
+  std::uint64_t hash_on(Executor& executor, std::vector<std::string>& notices, MassLedger& ledger,
+                        Grid<std::int32_t>& lifts) const {
+    lifts = Grid<std::int32_t>(world.extent);
+    executor.count_lifts(&lifts);
     Terrain terrain = world.strewn();
     raise_rocks(terrain, 5);
     const auto made = find_model(world.model).make(world.values());
@@ -48,6 +51,7 @@ struct Story {
 struct Ending {
   std::uint64_t hash = 0;
   MassLedger ledger;
+  Grid<std::int32_t> lifts;  // from each cell
   std::vector<std::string> notices;
   std::string executor;
 };
@@ -55,14 +59,14 @@ struct Ending {
 Ending told_by_cpu(const Story& story) {
   Ending ending;
   ParallelExecutor executor(two_sweeps);
-  ending.hash = story.hash_on(executor, ending.notices, ending.ledger);
+  ending.hash = story.hash_on(executor, ending.notices, ending.ledger, ending.lifts);
   return ending;
 }
 
 Ending told_by(const Story& story, const std::shared_ptr<Card>& card) {
   Ending ending;
   CudaExecutor executor(two_sweeps, std::make_unique<EmulatedCalls>(card));
-  ending.hash = story.hash_on(executor, ending.notices, ending.ledger);
+  ending.hash = story.hash_on(executor, ending.notices, ending.ledger, ending.lifts);
   ending.executor = executor.name();
   return ending;
 }
@@ -82,6 +86,7 @@ TEST(CudaExecutor, GoesThroughAStoryLikeThreads) {
   EXPECT_TRUE(ours.notices.empty());
   EXPECT_EQ(ours.hash, theirs.hash);
   EXPECT_EQ(ours.ledger, theirs.ledger);
+  EXPECT_TRUE(ours.lifts == theirs.lifts);
   expect_all_freed(*card);
 }
 
@@ -97,6 +102,7 @@ TEST(CudaExecutor, WhicheverCallFailsTheProcessorGoesOnFromTheSameState) {
     const Ending ours = told_by(story, card);
     EXPECT_EQ(ours.hash, theirs.hash) << "call " << fail_at;
     EXPECT_EQ(ours.ledger, theirs.ledger) << "call " << fail_at;
+    EXPECT_TRUE(ours.lifts == theirs.lifts) << "call " << fail_at;
     // The last call of all waits for the stream before memory is freed; nothing is left to lose then.
     if (fail_at + 1 == healthy->calls) continue;
     EXPECT_EQ(ours.executor, "cpu") << "call " << fail_at;

@@ -1,6 +1,8 @@
 // The same seed gives the same bits: on any number of threads, with any instruction set, however the run is cut.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "world.h"
 
 namespace erg::test {
@@ -86,6 +88,57 @@ TEST(SameBits, InARunCutInTwo) {
       scene.world.run(terrain, options, scene.steps - half, half);  // on an executor that knows nothing of the first
       EXPECT_EQ(state_hash(terrain), hash_of(scene, options)) << scene.name << ", " << executor;
     }
+  }
+}
+
+/// The slabs lifted from each cell in a short run of a case, and what the run came to.
+struct Counted {
+  Grid<std::int32_t> lifts;
+  std::uint64_t hash = 0;
+};
+Counted counted(const Case& scene, const ExecutorOptions& options, bool wanted = true) {
+  constexpr int steps = 3;
+  Terrain terrain = scene.world.strewn();
+  if (scene.rocks) raise_rocks(terrain, 15);
+  Counted result{Grid<std::int32_t>(scene.world.extent)};
+  const auto executor = make_executor(options);
+  if (wanted) executor->count_lifts(&result.lifts);
+  const StepReport report = scene.world.run(terrain, *executor, steps);
+  result.hash = state_hash(terrain);
+  if (!wanted) return result;
+  const auto counts = result.lifts.cells();
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}), report.lifts)
+      << scene.name << ", " << options.name;
+  EXPECT_GT(report.lifts, 0) << scene.name;
+  return result;
+}
+
+TEST(SameBits, CountingLiftsChangesNothingAndCountsThemAllOnAnyNumberOfThreads) {
+  for (const Case& scene : cases()) {
+    counted(scene, {.name = "serial"});
+    const Counted one = counted(scene, {.name = "cpu", .threads = 1});
+    const Counted three = counted(scene, {.name = "cpu", .threads = 3});
+    EXPECT_TRUE(one.lifts == three.lifts) << scene.name;
+    EXPECT_EQ(one.hash, three.hash) << scene.name;
+    EXPECT_EQ(one.hash, counted(scene, {.name = "cpu", .threads = 3}, false).hash) << scene.name;
+  }
+}
+
+TEST(SameBits, APollOfEachCellLiftsASlabFromEach) {
+  // Werner lifts in the shadow too, so on deep sand each cell gives one slab when it is polled.
+  const World world{.extent = {70, 50}, .wind = {250, 5}, .settings = {{"polling", std::string("nonrepeated")}}};
+  for (const Machine& machine : machines()) {
+    Terrain terrain(world.extent, 1, world.quantum());
+    std::ranges::fill(terrain.edit_mobile().cells(), 30);
+    terrain.open_ledger();
+    Grid<std::int32_t> lifts(world.extent);
+    const auto executor = make_executor(machine.options);
+    executor->count_lifts(&lifts);
+    world.run(terrain, *executor, 2);
+    EXPECT_EQ(std::ranges::count(lifts.cells(), 2), 70 * 50) << machine.name;
+    executor->count_lifts(nullptr);
+    world.run(terrain, *executor, 1);
+    EXPECT_EQ(std::ranges::count(lifts.cells(), 2), 70 * 50) << machine.name << ": no longer counted";
   }
 }
 

@@ -217,6 +217,24 @@ TEST_F(ShellHand, TheLookPanelChangesTheLook) {
   EXPECT_NEAR(shell->scenery().look.sun_altitude, 45, 2);
 }
 
+TEST_F(ShellHand, TheFluxIsCountedOnlyWhileItIsShown) {
+  create();
+  EXPECT_EQ(now().runs.front().flux, nullptr);
+  hand.click("LOOK/show");
+  hand.click("show=flux");
+  settle();
+  ASSERT_NE(now().runs.front().flux, nullptr);
+  studio.runner().step();
+  settle();
+  double sum = 0;
+  for (const float value : now().runs.front().flux->values.cells()) sum += value;
+  EXPECT_NEAR(sum, static_cast<double>(now().runs.front().totals.lifts), 1e-3 * sum);
+  hand.click("LOOK/show");
+  hand.click("show=material");
+  settle();
+  EXPECT_EQ(now().runs.front().flux, nullptr);
+}
+
 TEST_F(ShellHand, TheWindShadowIsAskedForOnlyWhileItIsShown) {
   create();
   EXPECT_EQ(now().runs.front().shadow, nullptr);

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <vector>
 
+#include "sim/simulation.h"
 #include "transport/executor.h"
 
 namespace erg {
@@ -20,6 +21,47 @@ TEST(Executor, PiecesCoverEachItemOnceOnAnyNumberOfThreads) {
         for (const auto& count : visits) EXPECT_EQ(count, 1) << name << ", " << threads << " threads";
       }
     }
+  }
+}
+
+TEST(Flux, IsTheMeanOfTwentyStepsOrOfThoseThereAre) {
+  FluxWatch watch({2, 1});
+  EXPECT_EQ(watch.mean().values[0], 0);
+  for (int step = 1; step <= 4; ++step) {
+    watch.counts()[0] += 3;
+    watch.stepped();
+  }
+  EXPECT_EQ(watch.mean().values[0], 3);
+  watch.counts()[1] += 40;
+  for (int step = 5; step <= FluxWatch::steps_of_mean; ++step) watch.stepped();
+  EXPECT_FLOAT_EQ(watch.mean().values[0], 0.6f);
+  EXPECT_EQ(watch.mean().values[1], 2);
+  watch.counts()[0] += 100;
+  watch.stepped();
+  EXPECT_FLOAT_EQ(watch.mean().values[0], 0.6f) << "until twenty more are done";
+}
+
+TEST(Flux, OfARunIsWhatItsStepsLifted) {
+  for (const std::string model : {"momiji", "snow_sintering", "grains"}) {
+    Config config(model);
+    config.grid.set("nx", std::int64_t{32});
+    config.grid.set("ny", std::int64_t{24});
+    if (model == "grains") config.grid.set("cell_size", 0.01);
+    if (model != "momiji") set_from_text(config, "wind.strength=14");
+    Simulation plain(config);
+    Simulation watched(config);
+    watched.watch_flux(true);
+    std::int64_t lifts = 0;
+    for (int step = 0; step < 3; ++step) {
+      plain.step();
+      lifts += watched.step().lifts;
+    }
+    double sum = 0;
+    for (const float value : watched.flux()->mean().values.cells()) sum += value;
+    EXPECT_GT(lifts, 0) << model;
+    EXPECT_NEAR(3 * sum, static_cast<double>(lifts), 1e-3 * static_cast<double>(lifts)) << model;
+    EXPECT_EQ(state_hash(watched.terrain()), state_hash(plain.terrain())) << model;
+    EXPECT_EQ(plain.flux(), nullptr);
   }
 }
 

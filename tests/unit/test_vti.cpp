@@ -37,7 +37,8 @@ TEST(Vti, HoldsEveryLayerWhereItsHeaderSays) {
   terrain.edit_fields().push_back(grass);
   Grid<std::uint8_t> shadow({3, 2});
   shadow(2, 1) = 1;
-  write_vti(folder / "a.vti", terrain, &shadow, {"{}", 1, 2, "werner", "1.0", "cpu"});
+  const std::vector<Field> more{{{"flux", "Flux", "lifts/step", 0, 1, "batlow", ""}, Grid<float>({3, 2}, 0.25f)}};
+  write_vti(folder / "a.vti", terrain, &shadow, {"{}", 1, 2, "werner", "1.0", "cpu"}, more);
   const std::string file = read_bytes(folder / "a.vti");
   EXPECT_NE(file.find("WholeExtent=\"0 2 0 1 0 0\" Origin=\"1 1 0\" Spacing=\"2 2 2\""), std::string::npos);
   EXPECT_EQ(read_array<float>(file, "sand"), (std::vector<float>{0, 0.5, 1, 1.5, 2, 2.5}));
@@ -45,6 +46,7 @@ TEST(Vti, HoldsEveryLayerWhereItsHeaderSays) {
   EXPECT_EQ(read_array<float>(file, "surface"), (std::vector<float>{-5, -4.5, -4, -3.5, -3, -2.5}));
   EXPECT_EQ(read_array<std::uint8_t>(file, "shadow"), (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1}));
   EXPECT_EQ(read_array<float>(file, "grass"), std::vector<float>(6, 0.5f));
+  EXPECT_EQ(read_array<float>(file, "flux"), std::vector<float>(6, 0.25f));
   EXPECT_NE(file.find("Name=\"erg:model\" NumberOfTuples=\"1\" format=\"ascii\">\n        119 101 114 110 101 114 0"),
             std::string::npos);
   EXPECT_TRUE(file.ends_with("</VTKFile>\n"));

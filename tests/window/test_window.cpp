@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "../render/scene.h"
 #include "../unit/temporary_folder.h"
 #include "desktop_hand.h"
 #include "io/config_file.h"
@@ -87,6 +88,39 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   // The name carries the step that it shows.
   EXPECT_EQ(read_bytes(folder / "mine-200.png").substr(1, 3), "PNG");
   EXPECT_TRUE(std::filesystem::exists(folder / "config" / "erg" / "settings.json"));
+}
+
+TEST(Window, DrawsTheLandAsTheOffscreenContextsDo) {
+  const TemporaryFolder folder;
+  const Display display;
+  const std::string config = small_land(folder);
+  DesktopHand hand(display, folder.path(), {config});
+  hand.wait_for("RUN/step");
+  hand.enter("RUN/steps to run", "40");
+  hand.click("RUN/run");
+  hand.wait_for("RUN/step");
+  hand.click("LOOK/Keep view");
+  hand.key("F12");
+  hand.enter("PICTURE/width", "320");
+  hand.enter("PICTURE/height", "200");
+  hand.click("PICTURE/save picture");
+  hand.click("PICTURE/SAVE PICTURE/SAVE");
+  hand.wait_for("PICTURE/saved", true);
+  keep_picture(hand, "window_and_picture.png");
+  const RgbImage in_window = read_picture(folder / "small-40.png");
+  ASSERT_EQ(in_window.width, 320);
+
+  const std::filesystem::path view = folder / "config" / "erg" / "views" / "view 1.json";
+  for (const std::string context : {"osmesa", "egl"}) {
+    const std::filesystem::path file = folder / (context + ".png");
+    const std::string command = std::string("'") + ERG_PROGRAM + "' render '" + config + "' --steps 40 --camera '" +
+                                view.string() + "' --copies 0 --size 320x200 --quiet --context " + context +
+                                " --out '" + file.string() + "'";
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    const Difference apart = difference(in_window, read_picture(file));
+    EXPECT_LT(apart.mean, 0.5) << context;
+    EXPECT_LT(apart.largest, 12) << context;
+  }
 }
 
 TEST(Window, ALostDisplayEndsTheProgramWithTheLandSaved) {
