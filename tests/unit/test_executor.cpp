@@ -57,7 +57,8 @@ TEST(Flux, OfARunIsWhatItsStepsLifted) {
       lifts += watched.step().lifts;
     }
     double sum = 0;
-    for (const float value : watched.flux()->mean().values.cells()) sum += value;
+    const Field mean = watched.flux()->mean();
+    for (const float value : mean.values.cells()) sum += value;
     EXPECT_GT(lifts, 0) << model;
     EXPECT_NEAR(3 * sum, static_cast<double>(lifts), 1e-3 * static_cast<double>(lifts)) << model;
     EXPECT_EQ(state_hash(watched.terrain()), state_hash(plain.terrain())) << model;
