@@ -74,13 +74,13 @@ class Slider {
     for (int k = 0; k < classes; ++k) {
       const EdgeClass edges = static_cast<EdgeClass>(plan_.order[k]);
       if (edges == across_even || edges == across_odd) {
-        for (int y = tile.first_row; y < tile.end_row; ++y) across(y, tile, edges == across_odd ? 1 : 0);
+        across(tile, edges == across_odd ? 1 : 0);
         continue;
       }
       const int odd = edges == along_odd || edges == rising_odd || edges == falling_odd ? 1 : 0;
-      for (int y = tile.first_row + ((tile.first_row & 1) != odd ? 1 : 0); y + 1 < tile.end_row; y += 2) {
-        to_next_row(tile.block, y, edges);
-      }
+      const int first = tile.first_row + ((tile.first_row & 1) != odd ? 1 : 0);
+      for (int y = first; y + 1 < tile.end_row; y += 2) level_margin(tile.block, y, edges);
+      for (int y = first; y + 1 < tile.end_row; y += 2) to_next_row(tile.block, y, edges);
     }
   }
 
@@ -97,6 +97,8 @@ class Slider {
     const PlaneLayout& layout = plan_.layout;
     const int last = layout.columns_of(left) - 1;
     for (int y = 0; y < layout.length; ++y) {
+      fetch_ahead(left, last, y);
+      fetch_ahead(right, 0, y);
       run(layout.at(left, last, y), layout.at(right, 0, y), 1, plan_.steps, plan_.step);
     }
     const int rows = plan_.open ? layout.length - 1 : layout.length;
@@ -122,6 +124,12 @@ class Slider {
   }
 
  private:
+  /// Each cell of a column lies in a cache line of its own, which another processor may hold.
+  void fetch_ahead(int block, int column, int y) const {
+    constexpr int rows = 8;
+    if (y + rows < plan_.layout.length) __builtin_prefetch(plan_.heights + plan_.layout.at(block, column, y + rows), 1);
+  }
+
   /// Places by which the row above is shifted to the left: the cell above place p stands in place p - skew_step. The
   /// edge of the torus is left out.
   int skew_step(int y) const {
@@ -134,16 +142,40 @@ class Slider {
     return edges == rising_even || edges == rising_odd ? 1 : -1;
   }
 
-  /// Edges of one class between row y of a block and the row above it.
+  // Rows are worked off in whole vectors: a tail of single lanes takes as long as many vectors. The last vector reaches
+  // into the margin beyond the row's end (PlaneLayout::pitch), whose cells mean nothing. So that they neither give to
+  // the row nor take from it, they are made level with it first, for all rows of a class before the first is read: a
+  // vector that reads what was only just written in part has to wait.
+  static int whole_vectors(int lanes) { return (lanes + 63) / 64 * 64; }
+
+  /// Columns by which the row above lies to the right of a row, for edges of a class.
+  int shift_to_next_row(int y, EdgeClass edges) const { return columns_over(edges) - skew_step(y); }
+
+  /// Levels the margin for the edges of one class between row y of a block and the row above it.
+  void level_margin(int block, int y, EdgeClass edges) const {
+    const int shift = shift_to_next_row(y, edges);
+    const int columns = plan_.layout.columns_of(block);
+    for (int over = 0; over < -shift; ++over) {
+      plan_.heights[plan_.layout.at(block, columns + over, y)] =
+          plan_.heights[plan_.layout.at(block, columns + shift + over, y + 1)];
+    }
+    for (int over = 0; over < shift; ++over) {
+      plan_.heights[plan_.layout.at(block, columns + over, y + 1)] =
+          plan_.heights[plan_.layout.at(block, columns - shift + over, y)];
+    }
+  }
+
+  /// Edges of one class between row y of a block and the row above it, once their margin is level.
   void to_next_row(int block, int y, EdgeClass edges) const {
-    const int shift = columns_over(edges) - skew_step(y);
+    const int shift = shift_to_next_row(y, edges);
     const int left_out = shift < 0 ? -shift : shift;
     run(plan_.layout.at(block, shift < 0 ? -shift : 0, y), plan_.layout.at(block, shift > 0 ? shift : 0, y + 1),
-        plan_.layout.columns_of(block) - left_out, is_diagonal(edges));
+        whole_vectors(plan_.layout.columns_of(block) - left_out), is_diagonal(edges));
   }
 
   void above_tile(const SlideTile& below, EdgeClass edges) const {
     if (below.end_row < plan_.layout.length) {
+      level_margin(below.block, below.end_row - 1, edges);
       to_next_row(below.block, below.end_row - 1, edges);
     } else {
       over_torus_edge(below.block, edges);
@@ -217,10 +249,20 @@ class Slider {
     }
   }
 
-  /// Edges within a row of a tile: its cells (0, 1), (2, 3) ... or (1, 2), (3, 4) ...
-  void across(int y, const SlideTile& tile, int first) const {
-    const int pairs = (plan_.layout.columns_of(tile.block) - first) / 2;
-    const std::size_t at = plan_.layout.at(tile.block, first, y);
+  /// Edges within the rows of a tile: cells (0, 1), (2, 3) ... or (1, 2), (3, 4) ...
+  void across(const SlideTile& tile, int first) const {
+    const int columns = plan_.layout.columns_of(tile.block);
+    if ((columns - first) % 2 != 0) {  // the last cell's partner is the margin's first
+      for (int y = tile.first_row; y < tile.end_row; ++y) {
+        const std::size_t margin = plan_.layout.at(tile.block, columns, y);
+        plan_.heights[margin] = plan_.heights[margin - 1];
+      }
+    }
+    const int pairs = whole_vectors(columns - first) / 2;
+    for (int y = tile.first_row; y < tile.end_row; ++y) across(plan_.layout.at(tile.block, first, y), pairs);
+  }
+
+  void across(std::size_t at, int pairs) const {
     if (plan_.bedrock && plan_.steps) {
       slide_pairs<Lane, true, true>(plan_.heights + at, plan_.bedrock + at, plan_.steps + at, plan_.step, pairs);
     } else if (plan_.bedrock) {

@@ -15,69 +15,54 @@ void pause_a_moment() {
 
 }  // namespace
 
-Barrier::Barrier(int members)
-    : members_(members), spins_(members <= static_cast<int>(std::thread::hardware_concurrency()) ? 300 : 0) {}
+int spins_of(int members) { return members <= static_cast<int>(std::thread::hardware_concurrency()) ? 300 : 0; }
+
+void Signal::wait_while(unsigned seen, int spins) const {
+  for (int spin = 0; spin < spins; ++spin) {
+    if (now() != seen) return;
+    pause_a_moment();
+  }
+  value_.wait(seen, std::memory_order_acquire);
+}
 
 void Barrier::arrive_and_wait() {
   if (members_ == 1) return;
-  const unsigned round = round_.load(std::memory_order_acquire);
+  const unsigned round = rounds_.now();
   if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == members_) {
     arrived_.store(0, std::memory_order_relaxed);
-    round_.store(round + 1, std::memory_order_release);
-    round_.notify_all();
+    rounds_.add(1);
     return;
   }
-  for (int spin = 0; spin < spins_; ++spin) {
-    if (round_.load(std::memory_order_acquire) != round) return;
-    pause_a_moment();
-  }
-  round_.wait(round, std::memory_order_acquire);
+  rounds_.wait_while(round, spins_);
 }
 
-ThreadTeam::ThreadTeam(int size) : size_(size), barrier_(size) {
+ThreadTeam::ThreadTeam(int size) : size_(size), spins_(spins_of(size)), barrier_(size) {
   for (int member = 1; member < size_; ++member) threads_.emplace_back([this, member] { serve(member); });
 }
 
 ThreadTeam::~ThreadTeam() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
-  }
-  work_to_do_.notify_all();
+  job_ = nullptr;
+  jobs_.add(1);
   for (std::thread& thread : threads_) thread.join();
 }
 
 void ThreadTeam::run(const std::function<void(int)>& job) {
-  if (size_ > 1) {
-    {
-      const std::lock_guard lock(mutex_);
-      job_ = &job;
-      busy_ = size_ - 1;
-      ++round_;
-    }
-    work_to_do_.notify_all();
+  const auto helpers = static_cast<unsigned>(size_ - 1);
+  const unsigned all_done = done_.now() + helpers;
+  if (helpers > 0) {
+    job_ = &job;
+    jobs_.add(1);
   }
   job(0);
-  if (size_ > 1) {
-    std::unique_lock lock(mutex_);
-    work_done_.wait(lock, [this] { return busy_ == 0; });
-  }
+  for (unsigned done = done_.now(); done != all_done; done = done_.now()) done_.wait_while(done, spins_);
 }
 
 void ThreadTeam::serve(int member) {
-  std::uint64_t served = 0;
-  while (true) {
-    const std::function<void(int)>* job = nullptr;
-    {
-      std::unique_lock lock(mutex_);
-      work_to_do_.wait(lock, [&] { return stopping_ || round_ != served; });
-      if (stopping_) return;
-      served = round_;
-      job = job_;
-    }
-    (*job)(member);
-    const std::lock_guard lock(mutex_);
-    if (--busy_ == 0) work_done_.notify_one();
+  for (unsigned served = 0;; ++served) {
+    jobs_.wait_while(served, spins_);
+    if (job_ == nullptr) return;
+    (*job_)(member);
+    done_.add(1);
   }
 }
 

@@ -2,26 +2,44 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <thread>
 #include <vector>
 
+#include "transport/aligned_vector.h"
+
 namespace erg {
 
-/// A barrier for a fixed number of threads. It spins for a moment, since phases last microseconds, and then sleeps, so
-/// that it does not collapse where there are more threads than processors.
+/// A number that threads wait for. They look at it for a moment first, since phases last microseconds, and then sleep,
+/// so that nothing collapses where there are more threads than processors.
+class alignas(cache_line) Signal {
+ public:
+  unsigned now() const { return value_.load(std::memory_order_acquire); }
+  void add(unsigned step) {
+    value_.fetch_add(step, std::memory_order_acq_rel);
+    value_.notify_all();
+  }
+  /// Waits while the number is `seen`, looking `spins` times before it sleeps.
+  void wait_while(unsigned seen, int spins) const;
+
+ private:
+  std::atomic<unsigned> value_{0};
+};
+
+/// Looks at a signal before a thread sleeps, in a team of `members`.
+int spins_of(int members);
+
+/// A barrier for a fixed number of threads.
 class Barrier {
  public:
-  explicit Barrier(int members);
+  explicit Barrier(int members) : members_(members), spins_(spins_of(members)) {}
   void arrive_and_wait();
 
  private:
   const int members_;
   const int spins_;
-  std::atomic<int> arrived_{0};
-  std::atomic<unsigned> round_{0};
+  alignas(cache_line) std::atomic<int> arrived_{0};
+  Signal rounds_;
 };
 
 class ThreadTeam {
@@ -42,14 +60,11 @@ class ThreadTeam {
   void serve(int member);
 
   const int size_;
+  const int spins_;
   Barrier barrier_;
-  std::mutex mutex_;
-  std::condition_variable work_to_do_;
-  std::condition_variable work_done_;
-  const std::function<void(int)>* job_ = nullptr;
-  std::uint64_t round_ = 0;
-  int busy_ = 0;
-  bool stopping_ = false;
+  const std::function<void(int)>* job_ = nullptr;  // null: the team goes home
+  Signal jobs_;
+  Signal done_;  // members that have finished a job, over all jobs
   std::vector<std::thread> threads_;
 };
 
