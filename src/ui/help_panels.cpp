@@ -19,7 +19,7 @@ std::size_t draw_keys(const std::vector<KeyHelp>& keys, std::size_t first) {
   for (; next < keys.size() && keys[next].menu == menu; ++next) {
     if (!open) continue;
     ImGui::TableNextColumn();
-    ImGui::TextColored(Gui::current().theme().accent, "%s", keys[next].keys.c_str());
+    say(keys[next].keys, Gui::current().theme().accent);
     ImGui::TableNextColumn();
     ImGui::TextWrapped("%s", keys[next].what.c_str());
   }

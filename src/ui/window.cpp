@@ -85,6 +85,12 @@ int on_screen(int wanted, double usual, int screen) {
   return screen > 0 ? std::min(static_cast<int>(side), screen) : static_cast<int>(side);
 }
 
+/// For XCheckIfEvent: the window manager's wish to close the window. `atom` points to the one that says so.
+Bool is_close_wish(::Display*, XEvent* event, XPointer atom) {
+  return event->type == ClientMessage &&
+         static_cast<Atom>(event->xclient.data.l[0]) == *reinterpret_cast<const Atom*>(atom);
+}
+
 int place_of_special(int key) {
   switch (key) {
     case GLUT_KEY_LEFT:
@@ -168,6 +174,15 @@ struct Window::Hidden {
     guarded([&] { busy = events.busy() || busy; });
     return busy;
   }
+  // freeglut would destroy the window before anybody could be asked: its wish to close is taken out of the queue.
+  void take_close_wish(::Display* display) {
+    Atom wish = XInternAtom(display, "WM_DELETE_WINDOW", False);
+    XEvent event;
+    while (XCheckIfEvent(display, &event, is_close_wish, reinterpret_cast<XPointer>(&wish))) {
+      guarded([this] { events.close_wanted(); });
+      wake();
+    }
+  }
   // Sleeps until there is input, but no longer than a frame while busy.
   static void wait_for_input(::Display* display, bool busy) {
     if (XPending(display) > 0) return;
@@ -243,9 +258,10 @@ void Window::Hidden::install() {
   glutPassiveMotionFuncUcall([](int x, int y, void* data) { static_cast<Hidden*>(data)->take_place(x, y); }, this);
   glutWMCloseFuncUcall(
       [](void* data) {
+        // The window is being destroyed under us: what it holds is saved for the next start.
         auto* const hidden = static_cast<Hidden*>(data);
-        hidden->guarded([&] { hidden->events.close_wanted(); });
-        hidden->wake();
+        hidden->guarded([&] { hidden->events.display_lost(); });
+        hidden->leave();
       },
       this);
 }
@@ -278,6 +294,8 @@ Window::Window(const WindowOptions& options) {
 
 Window::~Window() {
   events_of_the_window = nullptr;
+  glutSetWindow(hidden_->handle);
+  glutCloseFunc(nullptr);  // freeglut would call it at the program's end, when there is nothing left to save
   glutDestroyWindow(hidden_->handle);
 }
 
@@ -302,6 +320,7 @@ void Window::run(const WindowEvents& events) {
   // freeglut's own loop would take the OpenGL context away at its end, before those who drew with it let go of it.
   ::Display* const display = glXGetCurrentDisplay();
   while (hidden_->running) {
+    hidden_->take_close_wish(display);
     glutMainLoopEvent();
     const bool busy = hidden_->is_busy();
     if (busy) glutPostRedisplay();

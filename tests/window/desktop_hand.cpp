@@ -18,19 +18,18 @@ namespace {
 
 using namespace std::chrono_literals;
 
-using Clock = std::chrono::steady_clock;
-
 constexpr auto patience = 60s;  // on a machine that is busy with other things
 constexpr auto a_moment = 60ms;
+constexpr auto pause = 5ms;
 constexpr std::uint64_t settled = 3;  // so many frames after an input everything lies where it belongs
 
-bool soon(const std::function<bool()>& holds, Clock::duration limit = patience) {
-  const auto end = Clock::now() + limit;
-  while (Clock::now() < end) {
+// Counts its own pauses: a process that was held up on a busy machine has not been waiting.
+bool soon(const std::function<bool()>& holds, std::chrono::milliseconds limit = patience) {
+  for (auto waited = 0ms; waited < limit; waited += pause) {
     if (holds()) return true;
-    std::this_thread::sleep_for(5ms);
+    std::this_thread::sleep_for(pause);
   }
-  return false;
+  return holds();
 }
 
 pid_t start(const std::vector<std::string>& words, const std::function<void()>& in_child) {
