@@ -30,7 +30,7 @@ void write_small_presets(const std::filesystem::path& folder) {
 
 class MonkeyAtTheShell : public testing::TestWithParam<unsigned> {
  protected:
-  static constexpr ImVec2 screen{1280, 800};
+  const ImVec2 screen{1280, 800};
 
   TemporaryFolder folder;
   std::unique_ptr<Studio> studio;
