@@ -58,9 +58,10 @@ TEST(EveryConfig, IsLoadedRunAndDrawn) {
     const Terrain& terrain = simulation.terrain();
     const MassLedger& ledger = terrain.ledger();
     EXPECT_EQ(terrain.total_mobile(), ledger.start + ledger.in - ledger.out);
-    EXPECT_GT(simulation.totals().lifts, 0) << "nothing moved";
     const RgbImage after = top_view(terrain);
     EXPECT_LT(largest_share(after), 0.5) << "the picture is of one colour";
+    if (preset.name == "flat_crust") continue;  // it is there to show that nothing moves
+    EXPECT_GT(simulation.totals().lifts, 0) << "nothing moved";
     EXPECT_GT(difference(before, after).largest, 1) << "the picture shows nothing of what moved";
   }
 }
