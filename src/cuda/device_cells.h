@@ -36,11 +36,6 @@ __device__ inline std::int32_t cell_of(const DevicePlan& plan, std::int32_t line
   return wrapped(row, plan.length) * plan.width + wrapped(line + offset_of(plan, row), plan.width);
 }
 
-/// Where a cell of the frame stands in the terrain.
-__device__ inline std::ptrdiff_t staged_place(const DevicePlan& plan, std::int32_t cell) {
-  return plan.origin + cell % plan.width * plan.step_u + cell / plan.width * plan.step_v;
-}
-
 /// A line on its way from row to row, for those who visit many.
 struct LineWalk {
   std::int64_t rest = 0;  // (row * drift + phase) mod length

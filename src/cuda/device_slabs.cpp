@@ -115,7 +115,7 @@ void DeviceSlabs::count_lifts(bool wanted) {
 }
 
 void DeviceSlabs::take_lift_counts(Grid<std::int32_t>& counts) {
-  const std::vector<std::int32_t> lifts = fetch(device_, lift_counts_.data(), lift_counts_.size());
+  const std::vector<std::int32_t> lifts = device_.fetch(lift_counts_.data(), lift_counts_.size());
   device_.fill(lift_counts_.data(), 0, lift_counts_.bytes());
   for (std::size_t cell = 0; cell < lifts.size(); ++cell) counts[cell] += lifts[cell];
 }

@@ -174,7 +174,7 @@ __global__ void lift(DevicePlan plan) {
     const std::int32_t rows = hop_from(plan, ground);
     ++tally.counts[tally_lifts];
     // Nobody else polls this cell in this sub-sweep.
-    if (plan.lift_counts) ++plan.lift_counts[staged_place(plan, ground.cell)];
+    if (plan.lift_counts) ++plan.lift_counts[plan.order.place(ground.cell)];
     tally.counts[tally_rows] += rows;
     follow(plan, line, row, row + rows, tally);
   }

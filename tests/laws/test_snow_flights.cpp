@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "laws/world.h"
 #include "sim/simulation.h"
 #include "transport/snow_machine.h"
+#include "world.h"
 
 namespace erg::test {
 namespace {

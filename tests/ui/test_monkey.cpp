@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "../studio/small_config.h"
 #include "../unit/temporary_folder.h"
 #include "flat_stage.h"
 #include "harness.h"
 #include "io/config_file.h"
 #include "models/model.h"
 #include "monkey.h"
+#include "panel_hand.h"
 
 namespace erg::test {
 namespace {
