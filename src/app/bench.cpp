@@ -18,7 +18,7 @@ namespace {
 
 constexpr int growing_steps = 300;       // enough for dunes to stand
 constexpr int hashed_steps = 2;          // also warms caches up
-constexpr int repeats = 8;               // the best of them counts
+constexpr int repeats = 20;              // the best of them counts
 constexpr double repeat_seconds = 0.15;  // short, so that executors share the machine's good and bad moments
 constexpr std::uint64_t bench_seed = 1;
 

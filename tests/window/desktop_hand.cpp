@@ -261,9 +261,12 @@ double DesktopHand::memory() const {
 }
 
 void DesktopHand::quit() {
-  command("xdotool mouseup 1 mouseup 2 mouseup 3");
+  // Without a window manager keys go to the window under the pointer.
+  command("xdotool mouseup 1 mouseup 2 mouseup 3 mousemove 500 300");
   const bool ended = soon([this] {
     if (runs()) command("xdotool key Escape sleep 0.3 key ctrl+q sleep 0.3");
+    const std::string without_saving = "UNSAVED/WITHOUT SAVING";
+    if (runs() && places().contains(without_saving)) click(without_saving);
     return !runs();
   });
   if (!ended) throw std::runtime_error("the program does not quit");

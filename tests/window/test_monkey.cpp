@@ -52,9 +52,9 @@ TEST(Monkey, AtTheWindowBreaksNothing) {
   int deeds = 0;
   double most_memory = 0;
   for (unsigned seed = 1; patience.is_left(deeds); ++seed) {  // one that finds the way out is followed by another
-    DesktopHand hand(display, folder.path(), {land, "--width", "1280", "--height", "800"});
+    DesktopHand hand(display, folder.path(), {land, "--width", "1000", "--height", "760"});
     hand.wait_for("RUN/step", true);
-    Monkey monkey(seed, 1280, 800);
+    Monkey monkey(seed, 1000, 760);
     while (patience.is_left(deeds) && hand.runs()) {
       const Clock::time_point begin = Clock::now();
       hand.carry_out(monkey.next(hand.spots()));
