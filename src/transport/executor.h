@@ -73,6 +73,9 @@ struct ExecutorOptions {
   int threads = 0;            ///< 0: one for each processor
   int sweeps = 16;            ///< K, sub-sweeps a step (cpu, cuda): a power of two, 2 to 64
   InstructionSet instructions = best_instruction_set();
+  /// Lines along the wind that are worth a thread of their own in sub-sweeps: with fewer, what a row costs however
+  /// short it is outweighs the help. The same bits with any number.
+  int lines_a_thread = 256;
 };
 
 /// "auto", "serial", "cpu", "cuda". This and make_executor stand in the layer `executors`, which knows them all.

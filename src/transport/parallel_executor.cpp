@@ -84,7 +84,7 @@ bool ParallelExecutor::sweep_until_done(Progress& progress) {
     prepare_strips<Lane>(rows);
     const Progress start = progress;
     bool crowded = false;
-    team_.run([&](int member) {
+    team_.run(sweepers(), [&](int member) {
       const Progress end = sweep_as_member<Lane>(member, start, rows);
       if (member != 0) return;
       progress = end;
@@ -106,7 +106,7 @@ template <typename Lane>
 ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progress progress, int rows) {
   Planes<Lane>& mine = planes<Lane>();
   const SweepKernels<Lane>& kernels = sweep_kernels<Lane>(options_.instructions);
-  const auto [first_strip, end_strip] = share(static_cast<int>(mine.strips.size()), member);
+  const auto [first_strip, end_strip] = share(static_cast<int>(mine.strips.size()), member, sweepers());
   Lane* before = mine.before.data();
   Lane* after = mine.after.data();
   while (goes_on(progress) && ring_rows(progress.highest) <= rows) {
@@ -179,17 +179,17 @@ template <typename Lane>
 void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
   const int length = plan.layout.length;
   const int blocks = plan.layout.blocks;
-  const auto [first, end] = share(blocks * tile_rows_of(length), member);
+  const auto [first, end] = share(blocks * tile_rows_of(length), member, sweepers());
   for (int k = first; k < end; ++k) kernels.slide_tile(plan, tile_number(k, length));
   // Where members hold whole blocks, the seams inside them wait for nobody; over the edge of a skewed torus they meet
   // other blocks.
-  if (blocks % team_.size() != 0 || plan.layout.lean != 0) team_.meet();
+  if (blocks % sweepers() != 0 || plan.layout.lean != 0) team_.meet();
   for (int k = first; k < end; ++k) {
     const SlideTile tile = tile_number(k, length);
     if (tile.end_row < length || (!plan.open && length > 2)) kernels.slide_row_seam(plan, tile);
   }
   team_.meet();
-  const auto [first_block, end_block] = share(blocks, member);
+  const auto [first_block, end_block] = share(blocks, member, sweepers());
   for (int block = first_block; block < end_block; ++block) {
     const bool closes = block + 1 == blocks;
     if (!closes || (!plan.open && plan.layout.width > 2))
@@ -202,9 +202,12 @@ void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<
   team_.meet();
 }
 
-/// The part [first, end) of `count` things that falls to a member.
-std::pair<int, int> ParallelExecutor::share(int count, int member) const {
-  const auto part = [&](int k) { return static_cast<int>(static_cast<std::int64_t>(count) * k / team_.size()); };
+/// Members that carry out sub-sweeps.
+int ParallelExecutor::sweepers() const { return std::clamp(frame_.width / options_.lines_a_thread, 1, team_.size()); }
+
+/// The part [first, end) of `count` things that falls to one of `members`.
+std::pair<int, int> ParallelExecutor::share(int count, int member, int members) {
+  const auto part = [&](int k) { return static_cast<int>(static_cast<std::int64_t>(count) * k / members); };
   return {part(member), part(member + 1)};
 }
 

@@ -109,7 +109,8 @@ class ParallelExecutor : public Executor {
   static SweepCounts summed(const std::vector<Strip<Lane>>& strips);
   template <typename Lane>
   void slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
-  std::pair<int, int> share(int count, int member) const;
+  int sweepers() const;
+  static std::pair<int, int> share(int count, int member, int members);
   template <typename Lane>
   SweepPlan<Lane> sweep_plan(const Progress& progress) const;
   template <typename Lane>

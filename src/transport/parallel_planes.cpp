@@ -192,7 +192,7 @@ double ParallelExecutor::mean_deviation(double mean) {
   team_.run([&](int member) {
     std::vector<std::int64_t>& mine = counts[static_cast<std::size_t>(member)];
     mine.assign(static_cast<std::size_t>(highest_) + 1, 0);
-    const auto [first, end] = share(frame_.length, member);
+    const auto [first, end] = share(frame_.length, member, team_.size());
     for (int block = 0; block < layout_.blocks; ++block) {
       for (int v = first; v < end; ++v) {
         const Lane* row = heights.data() + layout_.at(block, 0, v);
@@ -214,8 +214,9 @@ template <typename Lane>
 void ParallelExecutor::prepare_strips(int ring_rows) {
   Planes<Lane>& mine = planes<Lane>();
   // As many for each member, so that none has more to do.
-  const int strips_each = (frame_.width + team_.size() * strip_lines - 1) / (team_.size() * strip_lines);
-  const int lines_each = (frame_.width + team_.size() * strips_each - 1) / (team_.size() * strips_each);
+  const int members = sweepers();
+  const int strips_each = (frame_.width + members * strip_lines - 1) / (members * strip_lines);
+  const int lines_each = (frame_.width + members * strips_each - 1) / (members * strips_each);
   const int lines = std::min(strip_lines, (lines_each + 63) / 64 * 64);
   const auto count = static_cast<std::size_t>((frame_.width + lines - 1) / lines);
   const std::size_t ring = static_cast<std::size_t>(ring_rows) * strip_lines;
@@ -244,8 +245,8 @@ void ParallelExecutor::prepare_lift_counts() {
 /// Adds what a sub-sweep has lifted, once it is known that it stands. A member's share of the plane, whoever wrote it.
 void ParallelExecutor::add_lifted(int member) {
   const auto places = static_cast<std::int64_t>(lifted_.size());
-  const std::int64_t end = places * (member + 1) / team_.size();
-  for (std::int64_t place = places * member / team_.size(); place < end; ++place) {
+  const std::int64_t end = places * (member + 1) / sweepers();
+  for (std::int64_t place = places * member / sweepers(); place < end; ++place) {
     step_lifts_[static_cast<std::size_t>(place)] += lifted_[static_cast<std::size_t>(place)];
   }
 }

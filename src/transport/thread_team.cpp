@@ -30,7 +30,7 @@ void Signal::wait_while(unsigned seen, int spins) const {
   value_.wait(seen, std::memory_order_acquire);
 }
 
-void Barrier::arrive_and_wait() {
+void Barrier::arrive_and_wait(int spins) {
   if (members_ == 1) return;
   const unsigned round = rounds_.now();
   if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == members_) {
@@ -38,35 +38,26 @@ void Barrier::arrive_and_wait() {
     rounds_.add(1);
     return;
   }
-  rounds_.wait_while(round, spins_);
+  rounds_.wait_while(round, spins);
 }
 
-ThreadTeam::ThreadTeam(int size) : size_(size), spins_(spins_of(size)), barrier_(size) {
-  try {
-    for (int member = 1; member < size_; ++member) threads_.emplace_back([this, member] { serve(member); });
-  } catch (const std::system_error&) {
-    const std::string started = std::to_string(threads_.size() + 1);
-    dismiss();
-    throw InputError("threads", "the system gives this program " + started + " threads and not " + std::to_string(size),
-                     "ask for fewer (--threads, run.threads)");
-  }
+ThreadTeam::ThreadTeam(int size) : size_(size), spins_(spins_of(size)) {
+  for (int member = 1; member < size_; ++member) threads_.emplace_back([this, member] { serve(member); });
 }
 
-ThreadTeam::~ThreadTeam() { dismiss(); }
-
-void ThreadTeam::dismiss() {
+ThreadTeam::~ThreadTeam() {
   job_ = nullptr;
   jobs_.add(1);
   for (std::thread& thread : threads_) thread.join();
 }
 
-void ThreadTeam::run(const std::function<void(int)>& job) {
-  const auto helpers = static_cast<unsigned>(size_ - 1);
-  const unsigned all_done = done_.now() + helpers;
-  if (helpers > 0) {
-    job_ = &job;
-    jobs_.add(1);
-  }
+void ThreadTeam::run(int members, const std::function<void(int)>& job) {
+  barrier_.expect(members);
+  if (members == 1) return job(0);
+  const unsigned all_done = done_.now() + static_cast<unsigned>(size_ - 1);
+  job_ = &job;
+  members_ = members;
+  jobs_.add(1);
   job(0);
   for (unsigned done = done_.now(); done != all_done; done = done_.now()) done_.wait_while(done, spins_);
 }
@@ -75,7 +66,7 @@ void ThreadTeam::serve(int member) {
   for (unsigned served = 0;; ++served) {
     jobs_.wait_while(served, spins_);
     if (job_ == nullptr) return;
-    (*job_)(member);
+    if (member < members_) (*job_)(member);
     done_.add(1);
   }
 }

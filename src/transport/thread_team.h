@@ -29,15 +29,16 @@ class alignas(cache_line) Signal {
 /// Looks at a signal before a thread sleeps, in a team of `members`.
 int spins_of(int members);
 
-/// A barrier for a fixed number of threads.
+/// A barrier for some threads.
 class Barrier {
  public:
-  explicit Barrier(int members) : members_(members), spins_(spins_of(members)) {}
-  void arrive_and_wait();
+  /// Before any of them arrives: how many there are.
+  void expect(int members) { members_ = members; }
+  /// `spins`: looks before a thread sleeps.
+  void arrive_and_wait(int spins);
 
  private:
-  const int members_;
-  const int spins_;
+  int members_ = 1;
   alignas(cache_line) std::atomic<int> arrived_{0};
   Signal rounds_;
 };
@@ -52,9 +53,11 @@ class ThreadTeam {
 
   int size() const { return size_; }
   /// Runs `job(member)` on every member and returns when all are done. The job must not throw.
-  void run(const std::function<void(int)>& job);
-  /// To be called by every member from within a job.
-  void meet() { barrier_.arrive_and_wait(); }
+  void run(const std::function<void(int)>& job) { run(size_, job); }
+  /// The same on the first `members` only; 1 to size().
+  void run(int members, const std::function<void(int)>& job);
+  /// To be called by every member that has the job from within it.
+  void meet() { barrier_.arrive_and_wait(spins_); }
 
  private:
   void serve(int member);
@@ -64,6 +67,7 @@ class ThreadTeam {
   const int spins_;
   Barrier barrier_;
   const std::function<void(int)>* job_ = nullptr;  // null: the team goes home
+  int members_ = 1;                                // that have it
   Signal jobs_;
   Signal done_;  // members that have finished a job, over all jobs
   std::vector<std::thread> threads_;

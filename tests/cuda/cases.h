@@ -18,7 +18,7 @@ struct Case {
   int steps = 4;
   int sweeps = 16;
 
-  ExecutorOptions options() const { return {.name = "cpu", .threads = 2, .sweeps = sweeps}; }
+  ExecutorOptions options() const { return {.name = "cpu", .threads = 2, .sweeps = sweeps, .lines_a_thread = 1}; }
 };
 
 inline std::vector<Case> cases() {

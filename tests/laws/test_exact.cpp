@@ -144,7 +144,7 @@ TEST(Exact, NothingStandsSteeperThanReposeOnSkewedPlanes) {
     SlabLaw law;
     law.cover = &cover;
     law.neighbours = 8;
-    const auto executor = make_executor({.name = "cpu", .threads = 2});
+    const auto executor = make_executor({.name = "cpu", .threads = 2, .lines_a_thread = 1});
     for (std::uint64_t step = 0; step < 12; ++step) executor->step(terrain, law, {bearing, 5}, {3, step});
     executor->settle(terrain);
     const Grid<std::int32_t>& mobile = terrain.mobile();
@@ -175,7 +175,7 @@ TEST(Exact, ATallConeSlidesToTheSameSlopeInEveryAzimuthWithEightNeighbours) {
   law.cover = &cover;
   law.neighbours = 8;
   law.bare = law.covered = StandingSteps::of_angle(33, 1, 0.1);
-  const auto executor = make_executor({.name = "cpu", .threads = 2});
+  const auto executor = make_executor({.name = "cpu", .threads = 2, .lines_a_thread = 1});
   for (std::uint64_t step = 0; step < 400; ++step) executor->step(terrain, law, {270, 5}, {3, step});
   executor->settle(terrain);
   // The foot of the cone, where it falls under 20 slabs, in 16 azimuths.

@@ -60,7 +60,7 @@ TEST(SameBits, OnAnyNumberOfThreads) {
   for (const Case& scene : cases()) {
     const std::uint64_t one = hash_of(scene, {.name = "cpu", .threads = 1});
     for (const int threads : {2, 3, 8}) {
-      EXPECT_EQ(hash_of(scene, {.name = "cpu", .threads = threads}), one)
+      EXPECT_EQ(hash_of(scene, {.name = "cpu", .threads = threads, .lines_a_thread = 1}), one)
           << scene.name << ", " << threads << " threads";
     }
   }
@@ -80,7 +80,7 @@ TEST(SameBits, WithEveryInstructionSet) {
 TEST(SameBits, InARunCutInTwo) {
   for (const Case& scene : cases()) {
     for (const std::string executor : {"serial", "cpu"}) {
-      const ExecutorOptions options{.name = executor, .threads = 2};
+      const ExecutorOptions options{.name = executor, .threads = 2, .lines_a_thread = 1};
       Terrain terrain = scene.world.strewn();
       if (scene.rocks) raise_rocks(terrain, 15);
       const int half = scene.steps / 2;
@@ -117,10 +117,10 @@ TEST(SameBits, CountingLiftsChangesNothingAndCountsThemAllOnAnyNumberOfThreads) 
   for (const Case& scene : cases()) {
     counted(scene, {.name = "serial"});
     const Counted one = counted(scene, {.name = "cpu", .threads = 1});
-    const Counted three = counted(scene, {.name = "cpu", .threads = 3});
+    const Counted three = counted(scene, {.name = "cpu", .threads = 3, .lines_a_thread = 1});
     EXPECT_TRUE(one.lifts == three.lifts) << scene.name;
     EXPECT_EQ(one.hash, three.hash) << scene.name;
-    EXPECT_EQ(one.hash, counted(scene, {.name = "cpu", .threads = 3}, false).hash) << scene.name;
+    EXPECT_EQ(one.hash, counted(scene, {.name = "cpu", .threads = 3, .lines_a_thread = 1}, false).hash) << scene.name;
   }
 }
 

@@ -74,7 +74,7 @@ TEST(TurnedScenes, GiveTurnedRunsWhereThePlanesAreSkewed) {
     Terrain terrain = world.strewn();
     raise_rocks(terrain, 12);
     Terrain turned = moved(terrain, motion.map);
-    const ExecutorOptions options{.name = "cpu", .threads = 2};
+    const ExecutorOptions options{.name = "cpu", .threads = 2, .lines_a_thread = 1};
     world.run(terrain, options, 4);
     world.wind.bearing = motion.bearing(world.wind.bearing);
     world.run(turned, options, 4);

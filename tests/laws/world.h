@@ -22,7 +22,7 @@ struct Machine {
 inline std::vector<Machine> machines() {
   return {{"serial", {.name = "serial"}},
           {"cpu, 1 thread", {.name = "cpu", .threads = 1, .sweeps = 16}},
-          {"cpu, 3 threads, K 4", {.name = "cpu", .threads = 3, .sweeps = 4}}};
+          {"cpu, 3 threads, K 4", {.name = "cpu", .threads = 3, .sweeps = 4, .lines_a_thread = 1}}};
 }
 
 /// One run, small and quick.
