@@ -42,10 +42,19 @@ void Barrier::arrive_and_wait(int spins) {
 }
 
 ThreadTeam::ThreadTeam(int size) : size_(size), spins_(spins_of(size)) {
-  for (int member = 1; member < size_; ++member) threads_.emplace_back([this, member] { serve(member); });
+  try {
+    for (int member = 1; member < size_; ++member) threads_.emplace_back([this, member] { serve(member); });
+  } catch (const std::system_error&) {
+    const std::string started = std::to_string(threads_.size() + 1);
+    dismiss();
+    throw InputError("threads", "the system gives this program " + started + " threads and not " + std::to_string(size),
+                     "ask for fewer (--threads, run.threads)");
+  }
 }
 
-ThreadTeam::~ThreadTeam() {
+ThreadTeam::~ThreadTeam() { dismiss(); }
+
+void ThreadTeam::dismiss() {
   job_ = nullptr;
   jobs_.add(1);
   for (std::thread& thread : threads_) thread.join();
