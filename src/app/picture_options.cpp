@@ -94,10 +94,7 @@ PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view)
 RunView::RunView(Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
   const double bearing = simulation.last_wind().bearing;
-  const Grid<std::uint8_t> shadow = shadow_map(terrain, bearing, simulation.model().shadow_fall(terrain.cell_size()));
-  shadow_.info = {"shadow", "wind shadow", "", 0, 1, "grey", "1 where the ground lies sheltered from the wind"};
-  shadow_.values = Grid<float>(terrain.extent());
-  for (std::size_t cell = 0; cell < shadow.size(); ++cell) shadow_.values[cell] = shadow[cell];
+  shadow_ = shadow_field(terrain, bearing, simulation.model().shadow_fall(terrain.cell_size()));
   view_.terrain = &terrain;
   view_.fields = {&shadow_};
   if (simulation.flux() != nullptr) {

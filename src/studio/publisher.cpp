@@ -17,16 +17,6 @@ constexpr int work_for_numbers = 10;                             // taking numbe
 constexpr int most_doublings = 6;                                // of the pause between two rows of numbers, each time
 constexpr auto rate_window = 500ms;
 
-FieldInfo shadow_info() {
-  return {.key = "shadow",
-          .label = "Wind shadow",
-          .unit = "",
-          .minimum = 0,
-          .maximum = 1,
-          .palette = "grey",
-          .meaning = "1 where the ground lies in the shadow of the last wind."};
-}
-
 }  // namespace
 
 /// Memory of terrains that nobody looks at any more, to be used again: fresh pages for every snapshot of a large grid
@@ -155,11 +145,8 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
   if (!flux_wanted_) view.flux = nullptr;
   if (flux_wanted_ && view.flux == nullptr) view.flux = std::make_shared<const Field>(simulation.flux()->mean());
   if (shadow_wanted_ && view.shadow == nullptr) {
-    const Grid<std::uint8_t> dark = shadow_map(*view.terrain, simulation.last_wind().bearing,
-                                               simulation.model().shadow_fall(view.terrain->cell_size()));
-    auto field = std::make_shared<Field>(Field{shadow_info(), Grid<float>(dark.extent())});
-    std::ranges::copy(dark.cells(), field->values.cells().begin());
-    view.shadow = std::move(field);
+    view.shadow = std::make_shared<const Field>(shadow_field(
+        *view.terrain, simulation.last_wind().bearing, simulation.model().shadow_fall(view.terrain->cell_size())));
   }
   lane.stale = lane.config_stale = lane.series_stale = false;
   view.step = simulation.step_count();

@@ -73,4 +73,18 @@ Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fal
   return dark;
 }
 
+Field shadow_field(const Terrain& terrain, double bearing, double fall) {
+  const Grid<std::uint8_t> dark = shadow_map(terrain, bearing, fall);
+  Field field{{.key = "shadow",
+               .label = "Wind shadow",
+               .unit = "",
+               .minimum = 0,
+               .maximum = 1,
+               .palette = "grey",
+               .meaning = "1 where the ground lies in the shadow of the last wind."},
+              Grid<float>(dark.extent())};
+  std::ranges::copy(dark.cells(), field.values.cells().begin());
+  return field;
+}
+
 }  // namespace erg

@@ -16,4 +16,7 @@ double shadow_fall(double angle, double cell_size, double quantum);
 /// that a slope of one slab shelters equally at every bearing. Torus terrains are closed.
 Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fall);
 
+/// The same as a field for pictures: "shadow".
+Field shadow_field(const Terrain& terrain, double bearing, double fall);
+
 }  // namespace erg

@@ -6,9 +6,13 @@
 #include <functional>
 
 #include "io/image.h"
+#include "models/model.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "scene.h"
+#include "sim/flux_watch.h"
+#include "transport/executor.h"
+#include "wind/shadow.h"
 
 namespace erg::test {
 namespace {
@@ -33,6 +37,8 @@ const std::vector<Shot>& shots() {
       {"slope", "top", [](Look& look) { look.show = "slope"; }},
       {"vegetation", "top", [](Look& look) { look.show = "vegetation"; }},
       {"age", "oblique", [](Look& look) { look.show = "age"; }},
+      {"shadow", "top", [](Look& look) { look.show = "shadow"; }},
+      {"flux", "oblique", [](Look& look) { look.show = "flux"; }},
       {"contours", "top", [](Look& look) { look.show = "elevation", look.palette = "grey", look.contours = 2; }},
       {"wireframe", "oblique", [](Look& look) { look.wireframe = true; }},
       {"raw_cells", "oblique", [](Look& look) { look.raw_cells = true; }},
@@ -41,9 +47,27 @@ const std::vector<Shot>& shots() {
   return all;
 }
 
+/// What leaves each cell of the land in some steps after Werner.
+Field flux_of(Terrain terrain) {
+  FluxWatch watch(terrain.extent());
+  const ModelType& type = find_model("werner");
+  const auto model = type.make(ParameterValues(type.parameters));
+  const auto executor = make_executor({.name = "cpu", .threads = 1});
+  executor->count_lifts(&watch.counts());
+  model->begin(terrain);
+  for (std::uint64_t step = 0; step < 4; ++step) {
+    model->step(terrain, {270, 5}, {1, step}, *executor);
+    watch.stepped();
+  }
+  return watch.mean();
+}
+
 RgbImage shoot(const Shot& shot) {
   const Terrain terrain = landscape();
   TerrainView view = view_of(terrain);
+  const Field shadow = shadow_field(terrain, 270, shadow_fall(15, terrain.cell_size(), terrain.quantum()));
+  static const Field flux = flux_of(terrain);
+  view.fields = {&shadow, &flux};
   view.paths = {{{10, 60, 4}, {14, 61, 7}, {18, 62, 8}, {24, 63, 7}, {30, 64, 9}}};
   Look look;
   shot.change(look);
