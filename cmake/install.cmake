@@ -1,5 +1,4 @@
 # What `cmake --install` puts in place: the program with its files and pages, and the library as the CMake package `Erg`.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS erg RUNTIME DESTINATION bin)

@@ -26,8 +26,8 @@ case "${1:-both}" in
   asan) check asan "unit laws studio ui window" "${@:2}" ;;
   tsan) check tsan "laws studio ui" "${@:2}" ;;
   both)
-    "$0" asan
-    "$0" tsan
+    scripts/sanitize.sh asan
+    scripts/sanitize.sh tsan
     ;;
   *)
     echo "usage: scripts/sanitize.sh [asan|tsan] [arguments of ctest]" >&2

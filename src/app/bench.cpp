@@ -126,13 +126,12 @@ Scene grow(const std::string& model, const std::string& kind, const BenchOptions
   }
   config.wind = Regime::constant(options.bearing, Season{}.first);
   Simulation simulation(config);
-  const auto* slab_model = dynamic_cast<const SlabModel*>(&simulation.model());
-  if (slab_model == nullptr) throw InputError("--model", "\"" + model + "\" is no slab model", "see `erg models`");
+  const auto& slab_model = dynamic_cast<const SlabModel&>(simulation.model());
   std::fprintf(stderr, "bench: growing %s dunes on %s, %d x %d cells\n", model.c_str(), kind.c_str(), options.grid,
                options.grid);
   for (int i = 0; i < growing_steps; ++i) simulation.step();
   const Terrain& terrain = simulation.terrain();
-  return {"dunes", terrain, slab_model->law(terrain), config.wind.at(0)};
+  return {"dunes", terrain, slab_model.law(terrain), config.wind.at(0)};
 }
 
 /// Scattered plants: every cell has a cover of its own between bare and half.

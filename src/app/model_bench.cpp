@@ -29,10 +29,7 @@ ModelBenchRow measure_grains(const std::string& model, int side, const std::stri
   }
   config.wind = Regime::constant(270, 10);
   Simulation simulation(config);
-  const auto* grain_model = dynamic_cast<const GrainModel*>(&simulation.model());
-  if (grain_model == nullptr) {
-    throw InputError("--model", "\"" + model + "\" moves neither slabs nor grains", "see `erg models`");
-  }
+  const auto& grain_model = dynamic_cast<const GrainModel&>(simulation.model());
   for (int step = 0; step < first_steps; ++step) simulation.step();
   std::int64_t polls = 0;
   std::int64_t grain_steps = 0;
@@ -40,7 +37,7 @@ ModelBenchRow measure_grains(const std::string& model, int side, const std::stri
   const auto start = std::chrono::steady_clock::now();
   for (int step = 0; step < measured_steps; ++step) {
     polls += simulation.step().polls;
-    grain_steps += grain_model->flights().grain_steps;
+    grain_steps += grain_model.flights().grain_steps;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const double processor = processor_seconds() - processor_start;

@@ -22,7 +22,7 @@ struct ModelBenchRow {
   std::uint64_t hash = 0;                 ///< of the terrain after the same steps in every row
 };
 
-/// Measures a model of single grains on one thread, on more, and on the executor that the options name. Throws InputError for other models.
+/// Measures a model of single grains on one thread, on more, and on the executor that the options name.
 std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOptions& options);
 
 /// The rows as a table with its legend.

@@ -15,6 +15,7 @@
 #include "app/run_setup.h"
 #include "app/text_table.h"
 #include "io/atomic_file.h"
+#include "io/provenance.h"
 #include "wind/bearing.h"
 
 namespace erg {
@@ -50,11 +51,10 @@ void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& r
 }
 
 void print_summary(Simulation& simulation, const RunStatistics& numbers) {
-  const int threads = simulation.executor().threads();
   std::cout << simulation.model_type().info.title << ": " << simulation.step_count() << " steps, "
             << duration_text(numbers.seconds) << " (" << fixed_text(numbers.polls_per_second / 1e6, 1)
-            << " million polls/s, " << simulation.executor().name() << ", " << threads
-            << (threads == 1 ? " thread" : " threads") << ")\n";
+            << " million polls/s, " << executor_text(simulation.executor().name(), simulation.executor().threads())
+            << ")\n";
   if (simulation.finished()) std::cout << "  ended early: " << simulation.totals().why_finished << "\n";
   const double speed = std::hypot(numbers.migration.x, numbers.migration.y);
   std::cout << "  thickest column " << numbers.shape.max_slabs << " slabs, standard deviation "

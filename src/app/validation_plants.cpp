@@ -1,5 +1,4 @@
 // Shapes of dunes among plants: how long and wide, and which way their arms point.
-#include <algorithm>
 #include <cstdio>
 
 #include "analysis/dune_patches.h"

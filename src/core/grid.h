@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/cell_rule.h"
+
 namespace erg {
 
 /// The extent of a field in cells. x runs east, y runs north; row 0 is the southernmost.
@@ -19,7 +21,7 @@ struct Extent {
 };
 
 /// `value` folded into [0, period): the torus.
-inline int wrap(int value, int period) {
+ERG_CELL_RULE int wrap(int value, int period) {
   const int rest = value % period;
   return rest < 0 ? rest + period : rest;
 }

@@ -72,6 +72,10 @@ class Device {
     });
   }
 
+  /// Sends value(number) of each element of an array.
+  template <typename Value>
+  void send_each(const DeviceArray<std::int32_t>& array, const Value& value);
+
   /// Bytes of a piece; a multiple of every element's size.
   static constexpr std::size_t piece_bytes = std::size_t{1} << 22;
 
@@ -129,6 +133,15 @@ void Device::fit(DeviceArray<T>& array, std::size_t count) {
   if (array.size() == count) return;
   array = DeviceArray<T>();  // before the new one, which may not fit beside it
   if (count > 0) array = DeviceArray<T>(*this, count);
+}
+
+template <typename Value>
+void Device::send_each(const DeviceArray<std::int32_t>& array, const Value& value) {
+  copy_in(array.data(), array.bytes(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
+    auto* values = reinterpret_cast<std::int32_t*>(target);
+    const std::size_t first_number = first / sizeof(std::int32_t);
+    for (std::size_t k = 0; k < bytes / sizeof(std::int32_t); ++k) values[k] = value(first_number + k);
+  });
 }
 
 }  // namespace erg

@@ -41,11 +41,7 @@ GrainPlan DeviceGrains::moving(const Counts& layer) const {
 /// Sends value(cell) of each of the terrain's cells to a layer.
 template <typename Value>
 void DeviceGrains::lay(const Counts& layer, const Value& value) {
-  device_.copy_in(staged_.data(), staged_.bytes(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
-    auto* values = reinterpret_cast<std::int32_t*>(target);
-    const std::size_t first_cell = first / sizeof(std::int32_t);
-    for (std::size_t k = 0; k < bytes / sizeof(std::int32_t); ++k) values[k] = value(first_cell + k);
-  });
+  device_.send_each(staged_, value);
   device_.launch(GrainKernel::lay, cells(), moving(layer));
 }
 
@@ -63,7 +59,7 @@ void DeviceGrains::load(const Terrain& terrain, const WindFrame& frame) {
   may_bond_ = false;
   lay(bonded_, [&](std::size_t cell) {
     const std::int32_t grains = bonded == nullptr ? 0 : bonded_grains(mobile[cell], bonded->values[cell]);
-    may_bond_ = may_bond_ || grains != 0;
+    may_bond_ = may_bond_ || (bonded != nullptr && bonded->values[cell] != 0);
     return grains;
   });
 }
@@ -88,8 +84,8 @@ void DeviceGrains::settle(Terrain& terrain) {
   const std::vector<std::int32_t> bonded = may_bond_ ? bring_back(bonded_) : std::vector<std::int32_t>{};
   // Only now that nothing can fail any more: the layers must not be half new.
   std::ranges::copy(mobile, terrain.edit_mobile().cells().begin());
-  Field* field = find_field(terrain.edit_fields(), bonded_field);
-  if (field != nullptr && may_bond_) std::ranges::copy(bonded, field->values.cells().begin());
+  Field* field = may_bond_ ? find_field(terrain.edit_fields(), bonded_field) : nullptr;
+  if (field != nullptr) std::ranges::copy(bonded, field->values.cells().begin());
 }
 
 // --- steps ---

@@ -30,16 +30,6 @@ void DeviceSlabs::allocate(const Terrain& terrain) {
   device_.fill(first_aloft_.data(), 0xff, first_aloft_.bytes());
 }
 
-/// Sends value(cell) of each of the terrain's cells to a layer.
-template <typename Value>
-void DeviceSlabs::copy_layer(const DeviceArray<std::int32_t>& layer, const Value& value) {
-  device_.copy_in(layer.data(), layer.bytes(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
-    auto* values = reinterpret_cast<std::int32_t*>(target);
-    const std::size_t first_cell = first / sizeof(std::int32_t);
-    for (std::size_t k = 0; k < bytes / sizeof(std::int32_t); ++k) values[k] = value(first_cell + k);
-  });
-}
-
 void DeviceSlabs::load(const Terrain& terrain, const WindFrame& frame) {
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();
@@ -52,12 +42,12 @@ void DeviceSlabs::load(const Terrain& terrain, const WindFrame& frame) {
   mobile_total_ = heights.mobile_total;
   allocate(terrain);
   DevicePlan plan = layout();
-  copy_layer(shown_, [&](std::size_t cell) { return bedrock[cell] + mobile[cell] - base_; });
+  device_.send_each(shown_, [&](std::size_t cell) { return bedrock[cell] + mobile[cell] - base_; });
   plan.staged = shown_.data();
   device_.launch(DeviceKernel::lay_surface, cells(), plan);
   if (relief_) {
     plan.staged = staged_.data();
-    copy_layer(staged_, [&](std::size_t cell) { return bedrock[cell] - base_; });
+    device_.send_each(staged_, [&](std::size_t cell) { return bedrock[cell] - base_; });
     device_.launch(DeviceKernel::lay_bedrock, cells(), plan);
   }
   const std::uint32_t bounds[2] = {static_cast<std::uint32_t>(heights.highest), 0};
@@ -108,10 +98,8 @@ void DeviceSlabs::settle(Terrain& terrain) {
 void DeviceSlabs::count_lifts(bool wanted) {
   const std::size_t count = wanted ? before_.size() : 0;
   if (lift_counts_.size() == count) return;
-  lift_counts_ = DeviceArray<std::int32_t>();
-  if (!wanted) return;
-  lift_counts_ = DeviceArray<std::int32_t>(device_, count);
-  device_.fill(lift_counts_.data(), 0, lift_counts_.bytes());
+  device_.fit(lift_counts_, count);
+  if (wanted) device_.fill(lift_counts_.data(), 0, lift_counts_.bytes());
 }
 
 void DeviceSlabs::take_lift_counts(Grid<std::int32_t>& counts) {
@@ -153,7 +141,7 @@ void DeviceSlabs::load_cover(const SlabLaw& law) {
     return;
   }
   if (cover_loaded_ && cover_revision_ == law.cover_revision) return;
-  if (cover_.size() == 0) cover_ = DeviceArray<std::uint8_t>(device_, dark_.size());
+  device_.fit(cover_, dark_.size());
   const auto cover = law.cover->cells();
   device_.copy_in(staged_.data(), cover.size(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
     std::memcpy(target, cover.data() + first, bytes);

@@ -40,8 +40,6 @@ class DeviceSlabs {
   void allocate(const Terrain& terrain);
   /// Lays the terrain out for a wind from another side.
   void turn(const WindFrame& frame);
-  template <typename Value>
-  void copy_layer(const DeviceArray<std::int32_t>& layer, const Value& value);
   DevicePlan layout() const;
   DevicePlan step_plan(const SlabLaw& law, double strength);
   void load_cover(const SlabLaw& law);

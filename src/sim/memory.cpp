@@ -105,8 +105,6 @@ Size largest_that_fits(Size wanted, std::uint64_t cells) {
 
 }  // namespace
 
-std::uint64_t memory_of_terrain(const Config& config) { return size_of(config).cells() * terrain_bytes_a_cell(config); }
-
 std::uint64_t memory_of_run(const Config& config) { return size_of(config).cells() * bytes_a_cell({&config, 1}, 0); }
 
 std::uint64_t free_memory() { return std::min({free_on_machine(), left_to_process(), left_to_group()}); }

@@ -10,11 +10,8 @@
 
 namespace erg {
 
-/// Bytes that the terrain of this config takes: bedrock, mobile layer, the model's fields.
-std::uint64_t memory_of_terrain(const Config& config);
-
 /// Bytes that a run of this config takes at most while it steps: the terrain, the executor's planes, what the model
-/// keeps. What does not grow with the grid is left out. tests/cli/memory_test.cpp holds it against what runs take.
+/// keeps. What does not grow with the grid is left out. tests/cli/trust_test.cpp holds it against what runs take.
 std::uint64_t memory_of_run(const Config& config);
 
 /// Bytes that this process may still take: what the machine has free (swap included), or less where a limit is set on

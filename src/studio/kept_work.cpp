@@ -47,7 +47,9 @@ const KeptWork::Land* KeptWork::kept_land(const Snapshot& snapshot, std::size_t 
 /// "" when it is none, or kept.
 std::string KeptWork::why_land_is_work(const Snapshot& snapshot, std::size_t run) const {
   const Land* const kept = kept_land(snapshot, run);
-  const double worked = snapshot.seconds_worked - (kept == nullptr ? 0 : kept->seconds_worked);
+  // After a reset the land has cost less than what was kept of the one before it.
+  const bool kept_this = kept != nullptr && kept->seconds_worked <= snapshot.seconds_worked;
+  const double worked = snapshot.seconds_worked - (kept_this ? kept->seconds_worked : 0);
   const std::uint64_t stroke = snapshot.runs[run].last_stroke;
   if (stroke != 0 && (kept == nullptr || stroke != kept->last_stroke)) return "was painted on";
   if (kept == nullptr && snapshot.creations == recovered_creation_) return "was recovered after a crash";

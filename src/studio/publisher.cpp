@@ -69,6 +69,7 @@ Publisher::Publisher() : pool_(std::make_shared<TerrainPool>()) {}
 Publisher::~Publisher() = default;
 
 void Publisher::made_anew(Lockstep& runs) {
+  pool_ = std::make_shared<TerrainPool>();  // what lies free has the size of the runs before
   lanes_.clear();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     lanes_.push_back(std::make_unique<Lane>(runs.run(i)));
@@ -81,7 +82,7 @@ void Publisher::touched(Lockstep& runs) {
     Lane& lane = *lanes_[i];
     Simulation& simulation = runs.run(i);
     lane.stale = lane.config_stale = true;
-    if (simulation.step_count() < lane.series.last_step()) {
+    if (simulation.step_count() <= lane.series.last_step()) {
       lane.series.cut(simulation.step_count());
       lane.series_stale = true;
       lane.meter = RunMeter(simulation.totals(), simulation.step_count());

@@ -25,7 +25,8 @@ namespace erg {
 /// Owns one to four runs that go by one clock.
 ///
 /// Each command returns at once; the worker carries commands out in the order given, between two steps. What goes wrong
-/// is written to the log and leaves the runs as they were. All functions may be called from any thread.
+/// is written to the log and leaves the runs as they were. All functions may be called from any thread,
+/// watch_shadow and watch_flux from one alone.
 class Runner {
  public:
   /// `log` must outlive the runner. `before_step` is called on the worker's thread before each step; what it throws is

@@ -234,6 +234,7 @@ void Studio::watch_export() {
   }
   if (export_->state() == Export::State::stopped) log_.warning("stopped writing " + export_->path().string());
   if (export_->state() == Export::State::failed) log_.error(export_->problem());
+  exported_.reset();  // it holds the terrains of all runs
 }
 
 Provenance Studio::provenance() const {
@@ -244,12 +245,17 @@ Provenance Studio::provenance() const {
 
 // -- after a crash --
 
-bool Studio::recover(std::size_t index) {
-  const LostSession session = lost_.at(index);
+bool Studio::recover(const fs::path& folder) {
+  const auto found = std::ranges::find(lost_, folder, &LostSession::folder);
+  if (found == lost_.end()) {
+    log_.error("nothing is left to recover in " + folder.string());
+    return false;
+  }
+  const LostSession session = *found;
   return logged(log_, [&] {
     resume(Session::recover(session), {});
     recovering_ = true;
-    lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(index));
+    lost_.erase(found);
     if (session_ != nullptr) session_->replaces(session);
     log_.information("recovered the session of " + session.saved_at);
   });

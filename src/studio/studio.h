@@ -91,7 +91,8 @@ class Studio {
 
   /// Sessions that a crash left behind; empty once recovered or discarded.
   const std::vector<LostSession>& lost_sessions() const { return lost_; }
-  bool recover(std::size_t index);
+  /// Goes on with the lost session of this folder; false, with a line in the log, where that cannot be.
+  bool recover(const std::filesystem::path& folder);
   void discard_lost(std::size_t index);
   /// The display is lost: saves the runs for the next start. What to tell the person: where, or why not.
   std::string rescue();

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/grid.h"
 #include "transport/grain_cell.h"
 
 #if !defined(__CUDA_ARCH__)
@@ -105,14 +106,10 @@ static_assert(sizeof(GrainTallyWords) == sizeof(GrainTally));
 
 // --- the frozen ground ---
 
+/// Of a m/s, in sums of impact speeds.
+inline constexpr float speed_parts = 64;
 /// Deeper than any shadow.
 inline constexpr float no_shadow = -1e30f;
-
-/// A place folded into [0, period).
-ERG_CELL_RULE int folded(int place, int period) {
-  const int rest = place % period;
-  return rest < 0 ? rest + period : rest;
-}
 
 ERG_CELL_RULE void freeze_cell(const BedPlanes& bed, int u, int v) {
   const std::int64_t cell = static_cast<std::int64_t>(v) * bed.width + u;
@@ -144,10 +141,10 @@ ERG_CELL_RULE void follow_shadow(const BedPlanes& bed, int line, int start, int 
   const auto sideways_at = [&bed](int row) { return static_cast<int>(std::floor(row * bed.tangent + 0.5)); };
   for (int row = from; row < end; ++row) {
     const int sideways = sideways_at(row);
-    const int column = folded(line + sideways, bed.width);
+    const int column = wrap(line + sideways, bed.width);
     // A line that leaves an open grid comes in again as another.
     if (!bed.torus && row > start && column == 0 && sideways != sideways_at(row - 1)) shadow = ShadowLine{};
-    GroundPoint& here = bed.point(column, folded(row, bed.length));
+    GroundPoint& here = bed.point(column, wrap(row, bed.length));
     if (notes) here.shadow = shadow.far > shadow.near ? shadow.far : shadow.near;
     shadow.far = (here.height > shadow.far ? here.height : shadow.far) - bed.fall_far;
     shadow.near = here.height - bed.fall_near;
@@ -160,7 +157,7 @@ ERG_CELL_RULE int rim_points(const BedPlanes& bed) { return 2 * (bed.length + 2)
 /// Makes point `number` of the rim that of the cell beyond the torus edge; the nearest inside where the grid is open.
 ERG_CELL_RULE void freeze_rim(const BedPlanes& bed, int number) {
   const auto inside = [&bed](int place, int count) {
-    if (bed.torus) return folded(place, count);
+    if (bed.torus) return wrap(place, count);
     return place < 0 ? 0 : place < count ? place : count - 1;
   };
   const int beside = 2 * (bed.length + 2);
@@ -178,7 +175,6 @@ struct BedWatch {
 
   ERG_CELL_RULE void at(const Grain&) {}
   ERG_CELL_ACT void impact(int u, int v, int grains, float speed) {
-    constexpr float speed_parts = 64;
     if (grains == 0) return;
     const std::int64_t cell = static_cast<std::int64_t>(v) * bed->width + u;
     add_shared(bed->asked[cell], grains);
@@ -267,7 +263,7 @@ ERG_CELL_ACT void hand_out(const GrainLaw& law, const BedPlanes& bed, const Grai
     const int freed = static_cast<int>(wanted + now.unit(GrainDraw::abrasion, cell, 0));
     bed.bonded[cell] -= freed < bed.bonded[cell] ? freed : bed.bonded[cell];
   }
-  const float speed = static_cast<float>(bed.asked_speed[cell]) / static_cast<float>(asked) / 64.0f;
+  const float speed = static_cast<float>(bed.asked_speed[cell]) / static_cast<float>(asked) / speed_parts;
   for (int k = 0; k < going; ++k) {
     GrainDice dice = now.dice(GrainDraw::reptation, cell, k);
     Grain grain;
@@ -331,7 +327,7 @@ ERG_CELL_RULE bool find_edge(const BedPlanes& bed, const BedEdges& edges, int ou
   const bool over = to_u < 0 || to_u >= bed.width || to_v >= bed.length;
   if (over && !bed.torus) return false;
   const std::int64_t here = static_cast<std::int64_t>(v) * bed.width + u;
-  const std::int64_t there = static_cast<std::int64_t>(folded(to_v, bed.length)) * bed.width + folded(to_u, bed.width);
+  const std::int64_t there = static_cast<std::int64_t>(wrap(to_v, bed.length)) * bed.width + wrap(to_u, bed.width);
   const std::int32_t difference = bed.height(here) - bed.height(there);
   edge = difference >= 0 ? BedEdge{here, here, there, difference} : BedEdge{here, there, here, -difference};
   return true;

@@ -86,11 +86,16 @@ void SnowFlights::draw_sweeps() {
   }
 }
 
+/// The last pass is repeated for hops that are longer than the grid.
+const SnowSweep& SnowFlights::sweep_number(std::size_t number) const {
+  return sweeps_[std::min(number, sweeps_.size() - 1)];
+}
+
 /// All sub-sweeps of a strip. Lines that close on themselves bring down all that is in the air.
 void SnowFlights::fly_strip(SnowStrip& strip) {
   const int first = static_cast<int>(&strip - strips_.data()) * snow_lines;
   std::vector<SnowStrip::Carried> carried;
-  for (std::size_t number = 0; sweeps_[number].polls || (lines_close() && !strip.carried().empty()); ++number) {
+  for (std::size_t number = 0; sweep_number(number).polls || (lines_close() && !strip.carried().empty()); ++number) {
     if (lines_close()) {
       carried.clear();
       carried.swap(strip.carried());
@@ -98,7 +103,7 @@ void SnowFlights::fly_strip(SnowStrip& strip) {
         strip.receive(static_cast<int>(slabs.line) - first, slabs.row, slabs.load);
       }
     }
-    strip.sweep(sweeps_[number]);
+    strip.sweep(sweep_number(number));
   }
 }
 
@@ -107,7 +112,7 @@ void SnowFlights::bring_down(Executor& executor) {
   for (auto number = static_cast<std::size_t>(plan_.sweeps); hand_over(); ++number) {
     executor.for_pieces(static_cast<std::int64_t>(strips_.size()), [&](std::int64_t begin, std::int64_t end) {
       for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-        strips_[k].sweep(sweeps_[number]);
+        strips_[k].sweep(sweep_number(number));
       }
     });
   }

@@ -20,6 +20,7 @@ class SnowFlights {
   void draw_sweeps();
   /// Whether each line goes on as itself behind the torus edge, or not at all.
   bool lines_close() const { return plan_.boundary == Boundary::open || plan_.drift % plan_.frame.width == 0; }
+  const SnowSweep& sweep_number(std::size_t number) const;
   void fly_strip(SnowStrip& strip);
   void bring_down(Executor& executor);
   bool hand_over();

@@ -186,8 +186,7 @@ void SnowMachine::shade_lines(int first, int end, double shadow_fall) {
   std::vector<std::int64_t> near = far;
   const auto moved = [&](int row) { return (row * tangent_24 + (std::int64_t{1} << 23)) >> 24; };
   std::int64_t sideways = moved(start);
-  int first_u = static_cast<int>((first + sideways) % frame_.width);
-  if (first_u < 0) first_u += frame_.width;
+  int first_u = wrap(static_cast<int>(first + sideways), frame_.width);
   int v = wrap(start, frame_.length);
   for (int row = start; row < frame_.length; ++row, v = v + 1 == frame_.length ? 0 : v + 1) {
     if (const std::int64_t now = moved(row); now != sideways) {

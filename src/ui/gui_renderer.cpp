@@ -94,6 +94,7 @@ void GuiRenderer::upload_fonts(int version) {
   int height = 0;
   ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
   font_ = make_texture(width, height, pixels);
+  ImGui::GetIO().Fonts->ClearTexData();  // the texture has it
   font_version_ = version;
 }
 

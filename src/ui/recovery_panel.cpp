@@ -1,4 +1,6 @@
 // RECOVERY: what a crash left behind.
+#include <filesystem>
+
 #include "studio/studio.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -6,8 +8,8 @@
 namespace erg {
 namespace {
 
-void recover(Desk& desk, std::size_t index) {
-  if (desk.studio.recover(index)) {
+void recover(Desk& desk, const std::filesystem::path& folder) {
+  if (desk.studio.recover(folder)) {
     desk.close(panel_title::recovery);
     desk.close(panel_title::gallery);
   } else {
@@ -35,7 +37,8 @@ bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
   const std::string runs = lost.runs > 1 ? ", " + std::to_string(lost.runs) + " runs" : "";
   explain("step " + std::to_string(lost.step) + runs + ", saved " + lost.saved_at);
   if (button("RECOVER", {.tooltip = "Goes on from there, paused.", .look = ButtonLook::accent})) {
-    desk.leave("RECOVER", Leaves::everything, [&desk, index] { recover(desk, index); });
+    // A question may come first, and the list be another when it is answered.
+    desk.leave("RECOVER", Leaves::everything, [&desk, folder = lost.folder] { recover(desk, folder); });
     return true;
   }
   ImGui::SameLine();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -60,19 +61,25 @@ inline void expect_same_as_threads(const GrainCase& scene, CudaExecutor& executo
     MassLedger ledger;
     StepReport report;
     std::vector<Reading> readings;
+    Grid<std::int32_t> lifts;
   };
   const auto run_on = [&](Executor& machine) {
     Terrain terrain = ground(scene);
     GrainModel model(scene.world.values());
     model.begin(terrain);
+    Grid<std::int32_t> lifts(terrain.extent());
+    machine.count_lifts(&lifts);
     StepReport total;
     for (int step = 0; step < scene.steps; ++step) {
       const StepKey key{scene.world.seed, static_cast<std::uint64_t>(step)};
       total += model.step(terrain, scene.world.model_wind(), key, machine);
     }
     machine.settle(terrain);
+    machine.count_lifts(nullptr);
+    const auto counted = lifts.cells();
+    EXPECT_EQ(std::accumulate(counted.begin(), counted.end(), std::int64_t{0}), total.lifts) << scene.name;
     EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected()) << scene.name;
-    return Ending{state_hash(terrain), terrain.ledger(), total, model.readings()};
+    return Ending{state_hash(terrain), terrain.ledger(), total, model.readings(), std::move(lifts)};
   };
   ParallelExecutor cpu({.name = "cpu", .threads = 2});
   const Ending theirs = run_on(cpu);
@@ -81,6 +88,7 @@ inline void expect_same_as_threads(const GrainCase& scene, CudaExecutor& executo
   EXPECT_NE(theirs.hash, state_hash(ground(scene))) << scene.name;
   EXPECT_EQ(ours.hash, theirs.hash) << scene.name;
   EXPECT_EQ(ours.ledger, theirs.ledger) << scene.name;
+  EXPECT_TRUE(ours.lifts == theirs.lifts) << scene.name;
   EXPECT_EQ(ours.report.lifts, theirs.report.lifts) << scene.name;
   EXPECT_EQ(ours.report.travel, theirs.report.travel) << scene.name;
   EXPECT_EQ(ours.report.slabs_out, theirs.report.slabs_out) << scene.name;

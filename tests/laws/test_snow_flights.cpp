@@ -97,7 +97,7 @@ TEST(SnowFlights, GiveTheSameBitsOnEveryInstructionSet) {
 }
 
 TEST(SnowFlights, KeepTheMass) {
-  for (const Extent extent : {Extent{150, 71}, Extent{16, 130}, Extent{3, 5}, Extent{1, 64}}) {
+  for (const Extent extent : {Extent{150, 71}, Extent{16, 130}, Extent{3, 5}, Extent{1, 64}, Extent{1, 1}}) {
     for (const double bearing : {270.0, 225.0, 7.0}) {
       for (const Boundary boundary : {Boundary::torus, Boundary::open}) {
         World world = drifting(bearing, boundary);

@@ -129,7 +129,7 @@ TEST_F(KeptWorkTest, WhatACrashLeftIsWorkWhenItIsRecovered) {
   std::filesystem::copy(lost, folder / "state/session-1");
   Studio next({folder / "settings", folder / "state", folder / "presets"});
   ASSERT_EQ(next.lost_sessions().size(), 1u);
-  ASSERT_TRUE(next.recover(0));
+  ASSERT_TRUE(next.recover(next.lost_sessions().at(0).folder));
   next.runner().wait_until_still();
   next.tick();
   const auto work = next.unsaved_work(Leaves::everything);

@@ -162,7 +162,7 @@ TEST(StudioSession, ComesBackAfterTheDisplayIsLost) {
     Studio studio(folders);
     ASSERT_EQ(studio.lost_sessions().size(), 1u);
     EXPECT_EQ(studio.lost_sessions()[0].step, 8);
-    ASSERT_TRUE(studio.recover(0));
+    ASSERT_TRUE(studio.recover(studio.lost_sessions().at(0).folder));
     studio.runner().wait_until_still();
     studio.tick();
     EXPECT_EQ(studio.active_run()->step, 8);

@@ -158,6 +158,16 @@ TEST(RecoveryPanel, RecoverGoesOnFromWhatWasSaved) {
   EXPECT_EQ(panel.closed, (std::vector<std::string>{"RECOVERY", "GALLERY"}));
 }
 
+/// The question about unsaved work may be answered after the session has gone.
+TEST(RecoveryPanel, RecoverOfWhatHasBeenDiscardedLeavesAllAsItIs) {
+  PanelHand panel(make_recovery_panel(), leave_session);
+  const std::filesystem::path saved = panel.studio.lost_sessions().at(0).folder;
+  panel.hand.click("RECOVERY/session 1/DISCARD");
+  EXPECT_FALSE(panel.studio.recover(saved));
+  EXPECT_FALSE(panel.studio.now().has_runs());
+  EXPECT_NE(panel.studio.log().lines().back().text.find(saved.string()), std::string::npos);
+}
+
 TEST(RecoveryPanel, DiscardDeletesWhatWasSaved) {
   PanelHand panel(make_recovery_panel(), leave_session);
   ASSERT_EQ(panel.studio.lost_sessions().size(), 1u);

@@ -30,6 +30,16 @@ std::string small_land(const TemporaryFolder& folder) {
   return path.string();
 }
 
+/// Saves a picture of 320 x 200 pixels under the name proposed; its dialog stays open.
+void save_small_picture(const DesktopHand& hand) {
+  hand.key("F12");
+  hand.enter("PICTURE/width", "320");
+  hand.enter("PICTURE/height", "200");
+  hand.click("PICTURE/save picture");
+  hand.click("PICTURE/SAVE PICTURE/SAVE");
+  hand.wait_for("PICTURE/saved", true);
+}
+
 TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   const TemporaryFolder folder;
   const Display display;
@@ -64,12 +74,7 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   EXPECT_FALSE(saved.wind.seasons.front().curve == BezierCurve{});
 
   hand.wait_for("RUN/step");  // the 200 steps are done
-  hand.key("F12");
-  hand.enter("PICTURE/width", "320");
-  hand.enter("PICTURE/height", "200");
-  hand.click("PICTURE/save picture");
-  hand.click("PICTURE/SAVE PICTURE/SAVE");
-  hand.wait_for("PICTURE/saved", true);
+  save_small_picture(hand);
   keep_picture(hand, "picture_dialog.png");
   hand.key("Escape");
 
@@ -100,12 +105,7 @@ TEST(Window, DrawsTheLandAsTheOffscreenContextsDo) {
   hand.click("RUN/run");
   hand.wait_for("RUN/step");
   hand.click("LOOK/Keep view");
-  hand.key("F12");
-  hand.enter("PICTURE/width", "320");
-  hand.enter("PICTURE/height", "200");
-  hand.click("PICTURE/save picture");
-  hand.click("PICTURE/SAVE PICTURE/SAVE");
-  hand.wait_for("PICTURE/saved", true);
+  save_small_picture(hand);
   keep_picture(hand, "window_and_picture.png");
   const RgbImage in_window = read_picture(folder / "small-40.png");
   ASSERT_EQ(in_window.width, 320);
