@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <thread>
@@ -10,6 +9,7 @@
 
 #include "app/model_stage.h"
 #include "core/random.h"
+#include "core/units.h"
 #include "models/slab_model.h"
 #include "sim/simulation.h"
 
@@ -191,7 +191,7 @@ std::vector<BenchRow> bench_model(const std::string& model, const BenchOptions& 
   const Scene dunes = grow(model, "flat", options);
   Scene oblique = dunes;
   oblique.name = "oblique wind";
-  oblique.wind.bearing = std::fmod(oblique.wind.bearing + oblique_turn + 360, 360);
+  oblique.wind.bearing = fold_bearing(oblique.wind.bearing + oblique_turn);
   const CoverField cover = scattered_cover(dunes.terrain.extent());
   Scene covered = dunes;
   covered.name = "cover";

@@ -1,9 +1,11 @@
 // `erg models` and `erg model NAME`: what the catalogue declares, as text or Markdown.
 #include <iostream>
 #include <memory>
+#include <span>
 
 #include "app/command.h"
 #include "app/text_table.h"
+#include "core/joined.h"
 #include "models/model.h"
 #include "sim/config.h"
 
@@ -12,11 +14,8 @@ namespace {
 
 std::string condition_text(const Parameter& parameter) {
   if (parameter.only_when.size() < 2) return "";
-  std::string text = " Only with " + parameter.only_when[0] + " ";
-  for (std::size_t i = 1; i < parameter.only_when.size(); ++i) {
-    text += (i > 1 ? " or " : "") + parameter.only_when[i];
-  }
-  return text + ".";
+  const std::span<const std::string> condition = parameter.only_when;
+  return " Only with " + condition.front() + " " + joined(condition.subspan(1), " or ") + ".";
 }
 
 TextTable parameter_table(const Parameters& parameters) {
