@@ -48,7 +48,8 @@ ExitCode print_models() {
 
 ExitCode print_model(const std::string& key, bool markdown) {
   const ModelType& type = find_model(key);
-  const Config config(key);
+  Config config(key);
+  start_as_model(config);
   const std::vector<std::string> meanings = type.explain(config.parameters, config.grid.real("cell_size"));
   const ModelInfo& info = type.info;
   const char* bullet = markdown ? "- " : "  ";
@@ -68,7 +69,8 @@ ExitCode print_model(const std::string& key, bool markdown) {
     std::cout << (markdown ? "\n## Fields\n\n" : "\nFields\n\n") << (markdown ? fields.markdown() : fields.aligned());
   }
   if (!meanings.empty()) {
-    std::cout << (markdown ? "\n## What the defaults mean\n\n" : "\nWhat the defaults mean\n\n");
+    std::cout << (markdown ? "\n## What the defaults mean" : "\nWhat the defaults mean") << ", with cells of "
+              << value_text(config.grid.real("cell_size")) << " m\n\n";
     for (const std::string& meaning : meanings) std::cout << bullet << meaning << "\n";
   }
   return exit_done;

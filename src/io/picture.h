@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/terrain.h"
-#include "io/image.h"
+#include "io/png.h"
 #include "wind/regime.h"
 
 namespace erg {
