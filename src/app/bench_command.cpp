@@ -65,8 +65,7 @@ std::string table_text(const std::vector<BenchRow>& rows, const std::string& exe
   }
   return table.aligned() +
          "\nMillion polls a second, the best of several repeats in which all take turns. Of plain: the same executor "
-         "on "
-         "the\nmodel's first scene.\n";
+         "on the\nmodel's first scene.\n";
 }
 
 bool flies_grains(const ModelType& type) {

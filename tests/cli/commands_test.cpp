@@ -63,6 +63,7 @@ TEST(Commands, SchemaIsJson) {
   const Ended schema = run_erg(folder, {"schema"});
   ASSERT_EQ(schema.exit_code, 0);
   EXPECT_TRUE(nlohmann::json::parse(schema.output).is_object());
+  EXPECT_TRUE(schema.output.ends_with("}\n"));
 }
 
 TEST(Commands, ValidatePrintsTheSectionAskedFor) {

@@ -27,7 +27,7 @@ TEST(Interrupt, LeavesACheckpointThatGoesOnToTheSameBits) {
     SCOPED_TRACE(signal);
     const ScratchFolder folder;
     folder.write("small.json", small_config(1000000));
-    Program program(folder, long_run);
+    Program program(folder, long_run, [signal] { std::signal(signal, SIG_DFL); });
     wait_for_the_first_checkpoint(folder);
     program.send(signal);
     const Ended ended = program.wait();
@@ -53,7 +53,10 @@ TEST(Interrupt, LeavesACheckpointThatGoesOnToTheSameBits) {
 TEST(Interrupt, WhatTheProgramWasToldToIgnoreItIgnores) {
   const ScratchFolder folder;
   folder.write("small.json", small_config(1000000));
-  Program program(folder, long_run, [] { std::signal(SIGHUP, SIG_IGN); });  // as nohup does
+  Program program(folder, long_run, [] {
+    std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    std::signal(SIGTERM, SIG_DFL);
+  });
   wait_for_the_first_checkpoint(folder);
   program.send(SIGHUP);
   std::this_thread::sleep_for(50ms);

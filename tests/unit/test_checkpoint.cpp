@@ -8,6 +8,7 @@
 
 #include "core/errors.h"
 #include "core/random.h"
+#include "limits.h"
 #include "temporary_folder.h"
 
 namespace erg {
@@ -146,6 +147,23 @@ TEST(Checkpoint, SandThatDoesNotAddUpIsRefused) {
   write_checkpoint(folder / "c.erg", small_config(), state);
   EXPECT_THROW(read_checkpoint(folder / "c.erg"), InputError);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these take memory of their own
+
+TEST(Checkpoint, OneWhoseRunWouldNotFitIsRefusedBeforeItsLayersAreRead) {
+  const TemporaryFolder folder;
+  saved_bytes(folder);
+  const test::LimitRestored restored(RLIMIT_AS);
+  test::limit_memory(rlim_t{64} << 20);
+  try {
+    read_checkpoint(folder / "a.erg");
+    ADD_FAILURE() << "a run takes more than 64 MiB beside its grid";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("grid: 9 x 7 cells need ")) << error.what();
+  }
+}
+
+#endif
 
 TEST(Checkpoint, AnUnwritablePlaceIsAnInputError) {
   EXPECT_THROW(write_checkpoint("/no/such/folder/a.erg", small_config(), some_state()), InputError);
