@@ -9,6 +9,7 @@
 #include "core/errors.h"
 #include "core/random.h"
 #include "limits.h"
+#include "message.h"
 #include "temporary_folder.h"
 
 namespace erg {
@@ -57,12 +58,7 @@ std::string with_checksum(std::string bytes) {
 
 std::string refusal(const TemporaryFolder& folder, const std::string& bytes) {
   write_bytes(folder / "b.erg", bytes);
-  try {
-    read_checkpoint(folder / "b.erg");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return message([&] { read_checkpoint(folder / "b.erg"); });
 }
 
 TEST(Checkpoint, ComesBackWhole) {
@@ -94,7 +90,7 @@ TEST(Checkpoint, CutFilesAreRefused) {
   const TemporaryFolder folder;
   const std::string bytes = saved_bytes(folder);
   for (std::size_t length = 0; length < bytes.size(); length += 3) {
-    EXPECT_NE(refusal(folder, bytes.substr(0, length)), "") << length;
+    EXPECT_NE(refusal(folder, bytes.substr(0, length)), "no error") << length;
   }
 }
 
@@ -104,7 +100,7 @@ TEST(Checkpoint, AChangedByteIsRefused) {
   for (std::size_t place = 0; place < bytes.size(); place += 3) {
     std::string changed = bytes;
     changed[place] = static_cast<char>(changed[place] ^ 0x10);
-    EXPECT_NE(refusal(folder, changed), "") << place;
+    EXPECT_NE(refusal(folder, changed), "no error") << place;
   }
 }
 
@@ -155,12 +151,8 @@ TEST(Checkpoint, OneWhoseRunWouldNotFitIsRefusedBeforeItsLayersAreRead) {
   saved_bytes(folder);
   const test::LimitRestored restored(RLIMIT_AS);
   test::limit_memory(rlim_t{64} << 20);
-  try {
-    read_checkpoint(folder / "a.erg");
-    ADD_FAILURE() << "a run takes more than 64 MiB beside its grid";
-  } catch (const InputError& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with("grid: 9 x 7 cells need ")) << error.what();
-  }
+  const std::string said = message([&] { read_checkpoint(folder / "a.erg"); });
+  EXPECT_TRUE(said.starts_with("grid: 9 x 7 cells need ")) << said;
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "message.h"
 #include "models/model.h"
 #include "temporary_folder.h"
 
@@ -24,16 +25,6 @@ class ConfigFile : public ::testing::Test {
 
   TemporaryFolder folder_;
 };
-
-template <typename Call>
-std::string message(Call call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::string mistakes(const std::string& text) {
   return message([&] { parse_config(text, "a.json"); });
