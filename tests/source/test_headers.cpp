@@ -96,7 +96,7 @@ constexpr Origin origins[] = {
     {"std::numeric_limits", "<limits>"},
     {"std::mem(cpy|cmp|set)", "<cstring>"},
     {"std::numbers::\\w+", "<numbers>"},
-    {"std::bit_cast", "<bit>"},
+    {"std::(bit_cast|endian)", "<bit>"},
     {"std::align_val_t", "<new>"},
     {"std::(time_t|time)", "<ctime>"},
     {"std::chrono::\\w+", "<chrono>"},
