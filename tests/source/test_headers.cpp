@@ -100,7 +100,7 @@ constexpr Origin origins[] = {
     {"std::align_val_t", "<new>"},
     {"std::(time_t|time)", "<ctime>"},
     {"std::chrono::\\w+", "<chrono>"},
-    {"std::(sqrt|tan|ceil|floor|abs|round)", "<cmath>"},
+    {"std::(sqrt|tan|ceil|floor|abs|round|fmod)", "<cmath>"},
     {"std::(min|max|clamp|fill|sort)", "<algorithm>"},
     {"std::(conditional_t|is_same_v)", "<type_traits>"},
     {"std::complex", "<complex>"},
