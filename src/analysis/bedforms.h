@@ -8,6 +8,7 @@
 
 namespace erg {
 
+/// The forms of a surface in numbers.
 struct BedformShape {
   double across = 0;  ///< share of the squared slope that lies across the wind: ridges across it 0, along it 1
   double skew = 0;    ///< of the slope along the wind: positive where faces toward the wind are the steeper ones

@@ -7,6 +7,7 @@
 
 namespace erg {
 
+/// What measure() finds.
 struct Morphometry {
   // Of the mobile layer. On a flat bed its thickness is the dune's height, which is what is found in print as "max
   // slabs".

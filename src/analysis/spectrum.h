@@ -5,6 +5,7 @@
 
 namespace erg {
 
+/// What measure_spectrum() finds.
 struct SpectrumNumbers {
   /// Mean wavelength in cells, of the whole two-dimensional spectrum: sum of P / sum of P |k|, with P the power and |k|
   /// the wave number in cycles per cell. 0 for a flat surface.
@@ -16,6 +17,7 @@ struct SpectrumNumbers {
   double alignment = 0;
 };
 
+/// Of the surface without its mean; one with open edges is faded out toward them (see transform).
 SpectrumNumbers measure_spectrum(const CoarseSurface& surface);
 
 }  // namespace erg

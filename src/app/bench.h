@@ -9,6 +9,7 @@
 
 namespace erg {
 
+/// What `erg bench` was asked for.
 struct BenchOptions {
   int grid = 1024;                  ///< cells a side
   std::vector<std::string> models;  ///< keys

@@ -11,6 +11,7 @@
 
 namespace erg {
 
+/// The frames of one run, and the film that they are joined to.
 class Film {
  public:
   /// Frames go into `folder`/`name`-frames (made when missing), one every `every` steps. Throws InputError for wrong

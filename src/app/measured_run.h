@@ -44,6 +44,7 @@ class MeasuredRun {
 
   /// Polls since this object was made.
   std::int64_t polls() const { return polls_; }
+  /// The numbers as the run stands.
   RunStatistics statistics();
 
  private:

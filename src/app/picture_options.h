@@ -41,6 +41,7 @@ PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view)
 class RunView {
  public:
   explicit RunView(Simulation& simulation);
+  /// What a Renderer draws.
   const TerrainView& view() const { return view_; }
 
  private:

@@ -17,6 +17,7 @@ const std::vector<std::string>& output_formats();
 /// Those that are written when none is asked for: all but the meshes, which are large.
 const std::vector<std::string>& usual_formats();
 
+/// Writes the files of one run, which must outlive it.
 class RunOutput {
  public:
   /// Writes into `folder` (made when missing) files whose names begin with `name`, in those `formats`. Throws

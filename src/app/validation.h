@@ -7,6 +7,7 @@
 
 namespace erg {
 
+/// What `erg validate` was asked for.
 struct ValidationOptions {
   bool quick = false;  ///< fewer seeds, fewer steps, only the small scenes
   std::string scene;   ///< of the published scenes only this preset of cfg/thesis/; empty: all of them

@@ -3,6 +3,7 @@
 
 namespace erg {
 
+/// A point of a curve: x across, y up, in the units of the curve.
 struct CurvePoint {
   double x = 0;
   double y = 0;

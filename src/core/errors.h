@@ -15,6 +15,7 @@ struct Mistake {
   std::string problem;  ///< what is wrong
   std::string remedy;   ///< what would be right; may be empty
 
+  /// `place: problem; remedy`, without the parts that are empty.
   std::string text() const;
 };
 
@@ -24,6 +25,7 @@ class InputError : public std::runtime_error {
   explicit InputError(std::vector<Mistake> mistakes);
   InputError(std::string place, std::string problem, std::string remedy = {});
 
+  /// All of them, in the order in which they were found.
   const std::vector<Mistake>& mistakes() const { return mistakes_; }
 
  private:

@@ -16,6 +16,7 @@ struct Extent {
   int nx = 0;
   int ny = 0;
 
+  /// How many cells it has.
   std::size_t cells() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
   bool operator==(const Extent&) const = default;
 };
@@ -39,6 +40,7 @@ class Grid {
   std::size_t size() const { return cells_.size(); }
   bool empty() const { return cells_.empty(); }
 
+  /// Where a cell stands in cells(). It must be inside.
   std::size_t index(int x, int y) const {
     assert(x >= 0 && x < extent_.nx && y >= 0 && y < extent_.ny);
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(extent_.nx) + static_cast<std::size_t>(x);
@@ -51,11 +53,14 @@ class Grid {
   /// The value at a cell of the endless plane that the torus tiles.
   const T& wrapped(int x, int y) const { return (*this)(wrap(x, extent_.nx), wrap(y, extent_.ny)); }
 
+  /// The nx values of a row, from west to east.
   std::span<T> row(int y) { return {cells_.data() + index(0, y), static_cast<std::size_t>(extent_.nx)}; }
   std::span<const T> row(int y) const { return {cells_.data() + index(0, y), static_cast<std::size_t>(extent_.nx)}; }
+  /// All values, row by row from the south.
   std::span<T> cells() { return cells_; }
   std::span<const T> cells() const { return cells_; }
 
+  /// Gives every cell this value.
   void fill(T value) { std::fill(cells_.begin(), cells_.end(), value); }
   bool operator==(const Grid&) const = default;
 

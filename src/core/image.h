@@ -18,6 +18,7 @@ struct RgbImage {
   RgbImage() = default;
   RgbImage(int width, int height, Colour colour = {});
 
+  /// The three bytes of a pixel, which must be inside.
   std::uint8_t* pixel(int x, int y) { return pixels.data() + offset(x, y); }
   const std::uint8_t* pixel(int x, int y) const { return pixels.data() + offset(x, y); }
   /// Sets one pixel; outside the picture nothing happens.

@@ -18,6 +18,7 @@ namespace erg {
 /// A parameter's value. The alternative is the parameter's kind; a choice and a path are strings.
 using ParameterValue = std::variant<double, std::int64_t, bool, std::string, PiecewiseLinear>;
 
+/// What a value may be: the alternatives of ParameterValue, whose strings are one of a list (choice) or name a file.
 enum class ParameterKind { real, integer, boolean, choice, path, curve };
 
 /// The declaration of one parameter.
@@ -93,9 +94,13 @@ class ParameterValues {
 
   /// Sets one value; throws InputError for an unknown key, a wrong kind or a value out of range.
   void set(std::string_view key, ParameterValue value);
+  /// The value of any kind. As all that ask for one: throws std::logic_error for a key that is not declared, which is a
+  /// bug, as it is to ask for another kind than the parameter's.
   const ParameterValue& value(std::string_view key) const;
+  /// Whether the value is the declared default.
   bool is_default(std::string_view key) const;
 
+  /// The value of a parameter of this kind.
   double real(std::string_view key) const;
   /// An integer, or a choice between whole numbers ("4" or "8").
   std::int64_t integer(std::string_view key) const;

@@ -7,6 +7,7 @@
 
 namespace erg {
 
+/// The ends of a surface.
 struct SurfaceRange {
   std::int32_t low = 0;   ///< quanta: the lowest point of the surface
   std::int32_t high = 0;  ///< quanta: its highest point

@@ -54,6 +54,7 @@ struct MassLedger {
 inline constexpr int smallest_side = 1;
 inline constexpr int largest_side = 16384;
 
+/// The layers of a land, the fields that lie on it, and the account of its mobile material. Row 0 is the southernmost.
 class Terrain {
  public:
   Terrain() = default;
@@ -76,6 +77,7 @@ class Terrain {
   const Grid<std::int32_t>& mobile() const { return mobile_; }
   /// Surface = bedrock + mobile, in quanta.
   std::int32_t height(int x, int y) const { return bedrock_(x, y) + mobile_(x, y); }
+  /// A count of quanta as a height in m.
   double metres(std::int32_t quanta) const { return quantum_ * quanta; }
 
   /// Writable layers. Asking for one tells executors that what they hold of this terrain is out of date.
@@ -84,6 +86,7 @@ class Terrain {
   /// Changes whenever a writable layer was asked for.
   std::uint64_t revision() const { return revision_; }
 
+  /// The layers that the model declares, in its order.
   const std::vector<Field>& fields() const { return fields_; }
   std::vector<Field>& edit_fields();
   /// Changes whenever writable fields were asked for.
@@ -91,6 +94,7 @@ class Terrain {
 
   MassLedger& ledger() { return ledger_; }
   const MassLedger& ledger() const { return ledger_; }
+  /// Quanta on the ground, counted.
   std::int64_t total_mobile() const;
   /// Start the account anew from what lies on the ground now.
   void open_ledger();

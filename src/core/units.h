@@ -7,6 +7,7 @@
 
 namespace erg {
 
+/// An angle in the other unit.
 inline double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 inline double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 

@@ -16,9 +16,11 @@ class MistakeList {
  public:
   explicit MistakeList(std::string name) : name_(std::move(name)) {}
 
+  /// Adds one at a line of the file.
   void add(int line, std::string problem, std::string remedy);
   /// One that knows its place better than by line; it is sorted behind all others.
   void add_last(Mistake mistake);
+  /// `file:line`.
   std::string place(int line) const { return name_ + ":" + std::to_string(line); }
   /// Throws one InputError with all mistakes, in the order of lines.
   void throw_if_any() const;
@@ -36,6 +38,7 @@ struct ConfigReading {
   int model_image_line = 0;  ///< where the model's own path stands
 };
 
+/// Reads all of a text, whatever is wrong with it; `name` stands for the file in mistakes.
 ConfigReading read_config_text(std::string_view text, const std::string& name);
 
 }  // namespace erg

@@ -11,6 +11,7 @@
 
 namespace erg {
 
+/// What a top view shows, and how.
 struct PictureOptions {
   int pixels = 1024;  ///< length of the longer side of the map, about: small grids are enlarged by whole factors
   std::string palette = "sand";  ///< colours of the mobile layer by height, see palette_names()

@@ -7,6 +7,7 @@
 
 namespace erg {
 
+/// A config that comes with the program.
 struct Preset {
   std::string name;  ///< path below the folder without ".json": "barchans", "thesis/star_werner"
   std::filesystem::path path;

@@ -10,6 +10,7 @@
 
 namespace erg {
 
+/// All that it takes to make a file again.
 struct Provenance {
   std::string config;  ///< the run's whole config, as JSON text
   std::uint64_t seed = 0;

@@ -35,6 +35,7 @@ Grid<float> smooth_enlarge(const Grid<float>& values, double sigma, int zoom, bo
 /// The relief of a terrain at a scale.
 Relief make_relief(const Terrain& terrain, const MapScale& scale);
 
+/// The one light that throws shadows.
 struct Sun {
   double bearing = 300;  ///< degrees: where it stands
   double altitude = 30;  ///< degrees
@@ -48,6 +49,7 @@ struct Light {
   Grid<float> sky;
 };
 
+/// The light on every pixel of the relief.
 Light light_up(const Relief& relief, const Sun& sun);
 
 }  // namespace erg

@@ -19,6 +19,7 @@ struct LandBox {
   double low = 0;    ///< height of the lowest point
   double high = 1;   ///< height of the highest point
 
+  /// Its centre, m.
   Eigen::Vector3d middle() const { return {0.5 * east, 0.5 * north, 0.5 * (low + high)}; }
 };
 

@@ -25,6 +25,7 @@ struct LandRequest {
   int picture_height = 1;  ///< pixels
 };
 
+/// Keeps the sheets of one land at a time, as many as its pictures need.
 class LandMaps {
  public:
   explicit LandMaps(const std::filesystem::path& shaders);
@@ -33,9 +34,9 @@ class LandMaps {
   void update(const LandRequest& request, std::vector<std::string>& notes);
 
   const std::vector<std::unique_ptr<LandSheet>>& sheets() const { return sheets_; }
-  Extent cells() const { return extent_; }                          ///< of the terrain
-  double cell_side() const { return cell_side_; }                   ///< m: of the finest that is drawn as one cell
-  LandBox land() const { return land_; }                            ///< m, exaggerated
+  Extent cells() const { return extent_; }             ///< of the terrain
+  double cell_side() const { return cell_side_; }      ///< m: of the finest that is drawn as one cell
+  LandBox land() const { return land_; }               ///< m, exaggerated
   double bedrock_low() const { return bedrock_low_; }  ///< m: the lowest bedrock, not exaggerated
   bool has_plants() const;
   const ValueScale& scale() const { return scale_; }  ///< of the values shown
@@ -45,6 +46,7 @@ class LandMaps {
   /// The surface's height (m, exaggerated) at a place, for cameras and cursors; the nearest cell's.
   double height_at(double east, double north) const;
 
+  /// Texels uploaded, and texels of the smooth surface computed, since the beginning.
   std::int64_t uploaded_texels() const;
   std::int64_t computed_texels() const;
 

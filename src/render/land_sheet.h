@@ -29,6 +29,7 @@ struct MapsRequest {
   const RenderEffort& effort;
 };
 
+/// Holds textures of the OpenGL context that is current.
 class LandSheet {
  public:
   /// Brings the maps up to date. `read`: cells and fields may have changed. Notes that a person should see are added.

@@ -17,6 +17,7 @@
 
 namespace erg {
 
+/// How large a picture is, and how carefully it is drawn.
 struct PictureSize {
   int width = 1920;     ///< pixels
   int height = 1080;    ///< pixels
@@ -43,6 +44,7 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
+  /// How much work goes into the pictures to come; at first all there is.
   void set_effort(const RenderEffort& effort);
 
   /// Draws into memory. Throws InputError for a look or size that cannot be.

@@ -24,6 +24,7 @@ struct PaintRequest {
   int height = 1;
 };
 
+/// Holds the programs that paint; the maps come with each painting.
 class ScenePainter {
  public:
   explicit ScenePainter(const std::filesystem::path& shaders);

@@ -9,6 +9,7 @@
 
 namespace erg {
 
+/// What decides how a land is cut.
 struct SheetPlanRequest {
   const Terrain& terrain;
   const RenderEffort& effort;

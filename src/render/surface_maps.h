@@ -43,6 +43,7 @@ struct LightSource {
   bool operator==(const LightSource&) const = default;
 };
 
+/// The smooth surface of one sheet and its light, in textures.
 class SurfaceMaps {
  public:
   /// Brings the maps up to date. `changed`: the cells that are new since the last time.
@@ -53,6 +54,7 @@ class SurfaceMaps {
   GLuint surface() const { return surface_.id(); }
   /// The same through splines, with the slopes to the east and north.
   GLuint shape() const { return shape_.id(); }
+  /// What each point sees of sun, sky and wind: as light.frag writes it.
   GLuint light() const { return light_.id(); }
   Extent texels() const { return surface_.size(); }
   /// Texels of the surface computed since the beginning.

@@ -30,6 +30,7 @@ struct MeshRequest {
   int copies = 0;          ///< rings of copies around the sheet, when it is the whole land
 };
 
+/// The tiles of one land, planned for one picture at a time.
 class TerrainMesh {
  public:
   static constexpr int tile_cells = 64;

@@ -5,6 +5,7 @@
 
 namespace erg {
 
+/// A course of temperature.
 struct Temperature {
   double first = -10;  ///< deg C, in the first time step
   double last = -10;   ///< deg C, in the last one

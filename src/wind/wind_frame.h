@@ -21,6 +21,7 @@ struct WindFrame {
   double tangent = 0;  ///< tan(theta) in [0, 1]: cells across for one cell along
   double cosine = 1;   ///< cos(theta): a row of the frame is 1 / cosine cells long along the wind
 
+  /// The cell of the grid, in row-major order.
   std::size_t cell(int u, int v) const { return static_cast<std::size_t>(origin + u * step_u + v * step_v); }
   /// Same orientation of the axes; the angle between them and the wind may differ.
   bool same_axes(const WindFrame& other) const {
