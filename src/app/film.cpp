@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "io/atomic_file.h"
-#include "io/image.h"
+#include "io/png.h"
 
 namespace erg {
 namespace {
@@ -64,7 +64,7 @@ void Film::add_frame(Simulation& simulation) {
 void Film::finish(bool quiet) const {
   if (!quiet) std::cout << "  wrote frames into " << frames_.string() << "\n";
   // What ffmpeg leaves when it is killed or the disk is full never bears the film's name.
-  const fs::path draft = movie_.string() + ".part" + std::to_string(::getpid());
+  const fs::path draft = unfinished_name(movie_);
   const std::string even = "scale=trunc(iw/2)*2:trunc(ih/2)*2";  // the codec wants even sides
   // Only so many: the frames of an earlier, longer run may lie behind them.
   const std::string count = std::to_string(last_ - first_ + 1);

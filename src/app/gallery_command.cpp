@@ -29,7 +29,7 @@ struct GalleryRequest {
 std::vector<Preset> wanted_presets(const GalleryRequest& request) {
   if (request.names.empty()) return presets();
   std::vector<Preset> wanted;
-  for (const std::string& name : request.names) wanted.push_back({name, config_path(name)});
+  for (const std::string& name : request.names) wanted.push_back(find_preset(name));
   return wanted;
 }
 

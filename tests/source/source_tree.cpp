@@ -14,11 +14,8 @@ std::string read_text(const fs::path& path) {
   return text.str();
 }
 
-namespace {
-
-SourceFile read_source(const fs::path& path) {
+SourceFile read_source(std::istream& text) {
   SourceFile file;
-  std::istringstream text(read_text(path));
   for (std::string line; std::getline(text, line);) {
     constexpr std::string_view include = "#include ";
     if (line.rfind(include, 0) == 0) {
@@ -35,8 +32,6 @@ SourceFile read_source(const fs::path& path) {
   return file;
 }
 
-}  // namespace
-
 const std::map<std::string, SourceFile>& source_tree() {
   static const std::map<std::string, SourceFile> tree = [] {
     std::map<std::string, SourceFile> all;
@@ -44,7 +39,8 @@ const std::map<std::string, SourceFile>& source_tree() {
     for (const auto& entry : fs::recursive_directory_iterator(src)) {
       const fs::path kind = entry.path().extension();
       if (kind != ".h" && kind != ".cpp" && kind != ".inl" && kind != ".cu") continue;
-      all[entry.path().lexically_relative(src).generic_string()] = read_source(entry.path());
+      std::ifstream text(entry.path());
+      all[entry.path().lexically_relative(src).generic_string()] = read_source(text);
     }
     return all;
   }();

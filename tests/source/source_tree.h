@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <istream>
 #include <map>
 #include <set>
 #include <string>
@@ -15,6 +16,9 @@ struct SourceFile {
   std::vector<std::string> own;      ///< files of src/: "core/grid.h"
   std::vector<std::string> foreign;  ///< as they stand: "<vector>"
 };
+
+/// Reads one.
+SourceFile read_source(std::istream& text);
 
 /// Every source file by its path below src/, for example "core/grid.h".
 const std::map<std::string, SourceFile>& source_tree();
