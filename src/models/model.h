@@ -27,15 +27,17 @@ struct ModelStart {
 
 /// What a model is, for people.
 struct ModelInfo {
-  std::string key;                     ///< name in configs and on the command line
-  std::string title;                   ///< "Momiji et al. 2000"
-  std::string citation;                ///< the publication
-  std::string makes;                   ///< what it makes
-  std::string leaves_out;              ///< what it does not model
-  std::string step;                    ///< what one time step means
-  std::string strength_label;          ///< what the wind's strength is: "hop length, cells"
+  std::string key = {};                ///< name in configs and on the command line
+  std::string title = {};              ///< "Momiji et al. 2000"
+  std::string citation = {};           ///< the publication
+  std::string makes = {};              ///< what it makes
+  std::string leaves_out = {};         ///< what it does not model
+  std::string step = {};               ///< what one time step means
+  std::string strength_label = {};     ///< what the wind's strength is: "hop length, cells"
   Material material = Material::sand;  ///< what it moves
   ModelStart start = {};
+  std::string steps_a_year = {};    ///< key of the parameter that holds how many steps are a year; "": there is none
+  std::string seconds_a_step = {};  ///< key of the parameter that holds the real time of a step, s; "": there is none
 };
 
 /// What the beginning of a run may need besides the terrain.
@@ -58,7 +60,7 @@ class Model {
  public:
   virtual ~Model() = default;
 
-  /// Called before `begin`, which it outlives.
+  /// Called before `begin`. What the argument points to lives until `begin` is over.
   virtual void prepare(const Beginning&) {}
 
   /// Height of one quantum in m.
@@ -89,7 +91,7 @@ struct ModelType {
   std::function<std::vector<std::string>(const ParameterValues&, double cell_size)> explain;
 };
 
-/// Every model, in the order people should meet them.
+/// Every model, in the order people should meet them (catalogue.cpp).
 const std::deque<ModelType>& catalogue();
 
 /// Adds a model to the catalogue of this program, at its end: for a program that links the library and brings a model

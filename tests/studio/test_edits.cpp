@@ -90,11 +90,15 @@ TEST_F(EditsTest, ResetGoesBackToTheStartAndCanBeUndone) {
   const std::uint64_t start = hash();
   runner.run(12);
   const std::uint64_t later = hash();
+  const double worked = still()->seconds_worked;
+  EXPECT_GT(worked, 0);
   runner.reset();
   EXPECT_EQ(still()->step(), 0);
+  EXPECT_EQ(still()->seconds_worked, 0);
   EXPECT_EQ(hash(), start);
   runner.undo();
   EXPECT_EQ(still()->step(), 12);
+  EXPECT_EQ(still()->seconds_worked, worked) << "it took as long as before";
   EXPECT_EQ(hash(), later);
 }
 

@@ -11,6 +11,7 @@
 #include "small_config.h"
 #include "studio/runner.h"
 #include "studio/session.h"
+#include "studio/studio.h"
 
 namespace erg {
 namespace {
@@ -145,6 +146,32 @@ TEST(Session, ADamagedCheckpointIsRefused) {
   bytes[bytes.size() / 2] ^= 1;
   write_bytes(checkpoint, bytes);
   EXPECT_THROW(Session::recover(lost[0]), InputError);
+}
+
+TEST(Session, OneWhoseRunsCannotBeMadeStaysOnOffer) {
+  const TemporaryFolder folder;
+  {
+    Session session(folder.path());
+    Simulation first(titled(1));
+    Simulation second(titled(2));
+    second.step();
+    Snapshot torn = snapshot_of(first, 1);
+    torn.runs.push_back(snapshot_of(second, 1).runs.front());
+    session.save(torn);
+    session.keep();
+  }
+  Studio studio({{}, folder.path(), {}});
+  ASSERT_EQ(studio.lost_sessions().size(), 1u);
+  const fs::path lost = studio.lost_sessions().front().folder;
+  EXPECT_TRUE(studio.recover(lost)) << "it can be read";
+  studio.runner().wait_until_still();
+  studio.tick();
+  EXPECT_EQ(studio.now().activity, Activity::empty) << "runs of one comparison stand at one step";
+  EXPECT_GE(studio.log().count(LogLevel::error), 1u);
+  EXPECT_EQ(studio.setup().config(), Config());
+  EXPECT_EQ(studio.lost_sessions().size(), 1u);
+  studio.rescue();
+  EXPECT_TRUE(fs::exists(lost / "session.json"));
 }
 
 }  // namespace

@@ -260,6 +260,8 @@ double DesktopHand::memory() const {
   return kibi / 1024;
 }
 
+void DesktopHand::terminate() const { ::kill(process_, SIGTERM); }
+
 void DesktopHand::quit() {
   // Without a window manager keys go to the window under the pointer.
   command("xdotool mouseup 1 mouseup 2 mouseup 3 mousemove 500 300");

@@ -68,6 +68,8 @@ class DesktopHand {
   bool runs();
   /// MiB of memory that it holds now; 0 when it is gone.
   double memory() const;
+  /// Asks it to end, as a session manager does.
+  void terminate() const;
   /// Lets go of every button, closes dialogs and quits, as often as it takes.
   void quit();
 

@@ -2,6 +2,7 @@
 // screen shows on the way is kept there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "../render/scene.h"
@@ -28,6 +29,11 @@ std::string small_land(const TemporaryFolder& folder) {
   const std::filesystem::path path = folder / "small.json";
   write_config(path, config);
   return path.string();
+}
+
+std::ptrdiff_t saved_sessions(const TemporaryFolder& folder) {
+  const std::filesystem::recursive_directory_iterator all(folder / "state");
+  return std::count_if(begin(all), end(all), [](const auto& file) { return file.path().filename() == "session.json"; });
 }
 
 /// Saves a picture of 320 x 200 pixels under the name proposed; its dialog stays open.
@@ -123,7 +129,7 @@ TEST(Window, DrawsTheLandAsTheOffscreenContextsDo) {
   }
 }
 
-TEST(Window, ALostDisplayEndsTheProgramWithTheLandSaved) {
+TEST(Window, ALostDisplayAndASignalEndTheProgramWithTheLandSaved) {
   const TemporaryFolder folder;
   Display display;
   DesktopHand hand(display, folder.path(), {small_land(folder)});
@@ -138,6 +144,12 @@ TEST(Window, ALostDisplayEndsTheProgramWithTheLandSaved) {
   DesktopHand again(next, folder.path(), {});
   again.wait_for("RECOVERY/session 1/RECOVER");
   keep_picture(again, "recovery.png");
+  again.click("RECOVERY/session 1/RECOVER");
+  again.wait_for("RUN/step");
+  again.terminate();
+  EXPECT_EQ(again.wait(), 0);
+  EXPECT_NE(again.errors().find("the next start offers"), std::string::npos) << again.errors();
+  EXPECT_EQ(saved_sessions(folder), 1) << "the new one instead of the old";
 }
 
 /// Asks for the copied text and is gone before the answer.
