@@ -9,6 +9,7 @@
 
 #include "../unit/temporary_folder.h"
 #include "small_config.h"
+#include "snapshot_of.h"
 #include "studio/runner.h"
 #include "studio/session.h"
 #include "studio/studio.h"
@@ -19,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using test::small_config;
+using test::snapshot_of;
 
 Config titled(int seed) {
   Config config = small_config("serial", seed);
@@ -30,21 +32,6 @@ std::uint64_t straight_hash(const Config& config, std::int64_t steps) {
   Simulation simulation(config);
   for (std::int64_t step = 0; step < steps; ++step) simulation.step();
   return state_hash(simulation.terrain());
-}
-
-/// A snapshot without a worker.
-Snapshot snapshot_of(Simulation& simulation, std::uint64_t number) {
-  RunSnapshot run;
-  run.config = std::make_shared<const Config>(simulation.config());
-  run.terrain = std::make_shared<const Terrain>(simulation.terrain());
-  run.terrain_version = number;
-  run.series = std::make_shared<const Series>();
-  run.step = simulation.step_count();
-  run.totals = simulation.totals();
-  Snapshot snapshot;
-  snapshot.number = number;
-  snapshot.runs.push_back(std::move(run));
-  return snapshot;
 }
 
 /// What a program does that saves after every step until it is killed.
