@@ -38,6 +38,7 @@ struct ModelInfo {
   ModelStart start = {};
   std::string steps_a_year = {};    ///< key of the parameter that holds how many steps are a year; "": there is none
   std::string seconds_a_step = {};  ///< key of the parameter that holds the real time of a step, s; "": there is none
+  std::vector<std::string> painted = {};  ///< keys of the fields that people may paint
 };
 
 /// What the beginning of a run may need besides the terrain.
@@ -68,6 +69,8 @@ class Model {
   /// Prepares the terrain before the first step (declared fields); also called when a run is resumed, then with fields
   /// already there.
   virtual void begin(Terrain& terrain) = 0;
+  /// People have edited the terrain: brings up to date the fields that follow from what they did.
+  virtual void edited(Terrain&) {}
   /// One time step.
   virtual StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) = 0;
   /// The fall of the wind shadow in quanta a cell, for pictures and numbers.

@@ -47,6 +47,8 @@ class NieldBaas : public SlabModel {
     plants_->begin(terrain, std::exchange(beginning_.picture, nullptr));
   }
 
+  void edited(Terrain& terrain) override { plants_->cover(terrain); }
+
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.lift_in_shadow = values().boolean("lift_in_shadow");
@@ -78,7 +80,8 @@ ModelType nield_baas() {
            .leaves_out = "water, seasons of growth, roots; wind speed-up over dunes",
            .step = std::string(slab_step) + "; steps_per_year of them are a year",
            .strength_label = slab_strength,
-           .steps_a_year = "steps_per_year"},
+           .steps_a_year = "steps_per_year",
+           .painted = painted_plants()},
           nield_baas_parameters(),
           plant_fields(),
           [](const ParameterValues& values) { return std::make_unique<NieldBaas>(values); },

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "core/parameters.h"
 #include "core/random.h"
@@ -19,6 +21,8 @@ namespace erg {
 Parameters plant_parameters();
 /// The layers that plants need.
 std::vector<FieldInfo> plant_fields();
+/// Keys of those that people may paint: each species by itself.
+std::vector<std::string> painted_plants();
 
 /// The plants of one run.
 class Plants {

@@ -100,6 +100,7 @@ void Simulation::book_edit() {
   MassLedger& ledger = state_.terrain.ledger();
   const std::int64_t change = state_.terrain.total_mobile() - ledger.expected();
   (change >= 0 ? ledger.in : ledger.out) += change >= 0 ? change : -change;
+  model_->edited(state_.terrain);
   wake();
 }
 

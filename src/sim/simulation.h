@@ -57,7 +57,7 @@ class Simulation {
   /// The terrain, up to date.
   const Terrain& terrain();
   /// The terrain for editing (painting, events); book_edit, afterwards, books in the ledger what the edit added or
-  /// took.
+  /// took, and lets the model know (Model::edited).
   Terrain& edit_terrain();
   void book_edit();
   /// Goes on under another config from the next step on, as a run resumed from here would. A run that had come to its
