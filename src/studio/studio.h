@@ -100,7 +100,7 @@ class Studio {
   bool recover(const std::filesystem::path& folder);
   /// Deletes the lost session of this folder; nothing where there is none.
   void discard_lost(const std::filesystem::path& folder);
-  /// The display is lost: saves the runs for the next start. What to tell the person: where, or why not.
+  /// The program has to end: saves the runs for the next start. What to tell the person: where, or why not.
   std::string rescue();
 
  private:
