@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/output_folder.h"
 #include "io/atomic_file.h"
 #include "io/png.h"
 
@@ -41,9 +42,7 @@ std::optional<int> run_program(std::vector<std::string> words) {
 Film::Film(const fs::path& folder, const std::string& name, std::int64_t every, const PictureRequest& request,
            Simulation& simulation)
     : frames_(folder / (name + "-frames")), movie_(folder / (name + ".mp4")), every_(every) {
-  std::error_code failed;
-  fs::create_directories(frames_, failed);
-  if (failed) throw InputError(frames_.string(), "cannot make this folder: " + failed.message(), "name another --out");
+  make_folder(frames_);
   context_ = make_offscreen_context(request.context);
   renderer_ = std::make_unique<Renderer>();
   plan_ = plan_picture(request, RunView(simulation).view());

@@ -6,6 +6,7 @@
 #include "app/command.h"
 #include "app/interrupt.h"
 #include "app/notice.h"
+#include "app/output_folder.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/run_setup.h"
@@ -83,6 +84,7 @@ bool grow(const RenderRequest& request, Simulation& simulation) {
 }
 
 ExitCode render(const RenderRequest& request) {
+  check_folder_of("--out", request.out);
   Simulation simulation = start(request);
   simulation.keep_paths(request.paths);
   const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/output_folder.h"
 #include "app/validation.h"
 #include "core/errors.h"
 #include "io/atomic_file.h"
@@ -67,6 +68,7 @@ void add_validate_command(CLI::App& program, Action& action) {
   command->callback([&action, options] {
     action = [options] {
       check_scene(options->validation.scene, options->section);
+      check_folder_of("--out", options->out);
       std::string document;
       for (const Section& section : sections) {
         if (options->section == section.name) document = section.measure(options->validation);

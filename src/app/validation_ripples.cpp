@@ -90,14 +90,16 @@ std::string ripples_section(const ValidationOptions& options) {
          "height: cm, of a sine with the surface's standard deviation; index: wavelength over height; crests off: "
          "degrees from lying across the wind; speed: cells a step, downwind positive; leap: mean way between two "
          "touches of the ground, cm; flight: mean way of a grain until it rests, cm; impact angle: mean, degrees; cut "
-         "off: flights that never ended.\n\n" +
+         "off: "
+         "flights that never ended.\n\n" +
          table.markdown() +
          "\nRipples lie across the wind and move downwind at every bearing, and they are the longer and faster the "
          "stronger u* is. From\n10 to 15 m/s only the speed grows: the length levels off at about 11 cm, within the "
          "spread over the seeds. The impact angle stays\nwhile ripples grow; flights are 8, 25, 42, 60 and 78 cm for "
          "u* .2 to .6 over a young bed (step 5) and half as long again or more\nhere. The index of natural sand "
-         "ripples is 10 to 20: ours, 9 to 11, are at its steep end. Ripples go on growing by merging, so a\nlength "
-         "belongs to a number of steps.\n";
+         "ripples "
+         "is 10 to 20: ours, 9 to 11, are at its steep end. Ripples go on growing by merging, so a\nlength belongs to "
+         "a number of steps.\n";
 }
 
 }  // namespace erg

@@ -98,12 +98,18 @@ TEST(WrongUse, AMissingConfigNamesTheNearestPreset) {
   expect_contains(ended.errors, "did you mean \"barchans\"?");
 }
 
-TEST(WrongUse, AMissingFolderForTheStatisticsIsToldBeforeTheRun) {
+TEST(WrongUse, AFolderThatIsMissingOrCannotBeMadeIsToldBeforeTheWork) {
   const ScratchFolder folder;
   folder.write("small.json", small_config(1000000000));
-  const Ended ended = run_erg(folder, {"run", "small.json", "--stats", "nowhere/stats.json"});
-  EXPECT_EQ(ended.exit_code, 2);
-  expect_contains(ended.errors, "nowhere");
+  const std::vector<std::vector<std::string>> ways{{"run", "small.json", "--stats", "nowhere/stats.json"},
+                                                   {"render", "small.json", "--out", "nowhere/picture.png"},
+                                                   {"validate", "--out", "nowhere/validation.md"},
+                                                   {"gallery", "--out", "small.json/nowhere"}};
+  for (const std::vector<std::string>& arguments : ways) {
+    const Ended ended = run_erg(folder, arguments);
+    EXPECT_EQ(ended.exit_code, 2) << arguments.front();
+    expect_contains(ended.errors, "nowhere");
+  }
 }
 
 TEST(WrongUse, DamagedAndForeignCheckpointsAreRefused) {
