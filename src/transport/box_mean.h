@@ -10,7 +10,6 @@
 
 namespace erg {
 
-/// Takes means; keeps its memory from one to the next.
 class BoxMean {
  public:
   /// means = means over the squares of 2 radius + 1 cells around each cell; with `twice` the means of these means. Over

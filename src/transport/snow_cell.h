@@ -9,11 +9,6 @@
 
 namespace erg {
 
-/// What the random words of a step are for; each has a key space of its own.
-namespace snow_draw {
-enum Use : std::uint64_t { flights = 60, drift, fall, bonds, slides, shuffles, sweeps = 80, rows, lines };
-}
-
 /// A smooth function of a positive number, made once: eight places an octave, straight between them.
 struct OctaveTable {
   static constexpr int octaves = 40;

@@ -8,6 +8,12 @@
 #include "transport/sub_sweep.h"
 
 namespace erg {
+namespace {
+
+/// What the random words of the flights are for; each has a key space of its own.
+enum FlightWord : std::uint64_t { sweeps = 80, rows, lines };
+
+}  // namespace
 
 StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Executor& executor) {
   plan_ = plan;
@@ -52,8 +58,8 @@ void SnowFlights::draw_lines() {
   plan_.drift = 0;
   if (frame.tangent > 0) {
     const auto tangent_24 = static_cast<std::int64_t>(frame.tangent * 0x1p24);
-    plan_.drift = (frame.length * tangent_24 + random_below(plan_.key, 0, 0, snow_draw::lines, 1u << 24)) >> 24;
-    phase = random_below(plan_.key, 0, 1, snow_draw::lines, static_cast<std::uint32_t>(frame.length));
+    plan_.drift = (frame.length * tangent_24 + random_below(plan_.key, 0, 0, lines, 1u << 24)) >> 24;
+    phase = random_below(plan_.key, 0, 1, lines, static_cast<std::uint32_t>(frame.length));
   }
   offsets_.resize(static_cast<std::size_t>(frame.length + plan_.reach + 2));
   for (int row = -1; row <= frame.length + plan_.reach; ++row) {
@@ -66,16 +72,16 @@ void SnowFlights::draw_lines() {
 /// The sub-sweeps, and as many passes without polls as the longest flight takes.
 void SnowFlights::draw_sweeps() {
   sweeps_.resize(static_cast<std::size_t>(plan_.sweeps + longest_flight + 1));
-  const auto step_key = static_cast<std::uint32_t>(random_word(plan_.key, 0, 1, snow_draw::sweeps));
+  const auto step_key = static_cast<std::uint32_t>(random_word(plan_.key, 0, 1, sweeps));
   for (std::size_t number = 0; number < sweeps_.size(); ++number) {
     SnowSweep& sweep = sweeps_[number];
     sweep.polls = number < static_cast<std::size_t>(plan_.sweeps);
     sweep.last = number + 1 == sweeps_.size();
     sweep.step_key = step_key;
-    sweep.key = static_cast<std::uint32_t>(random_word(plan_.key, number, 0, snow_draw::sweeps));
+    sweep.key = static_cast<std::uint32_t>(random_word(plan_.key, number, 0, sweeps));
     if (!sweep.polls) continue;
     std::uint8_t polled[256];
-    permute_rows(plan_.key, 0, snow_draw::rows, static_cast<int>(number), plan_.sweeps, polled);
+    permute_rows(plan_.key, 0, rows, static_cast<int>(number), plan_.sweeps, polled);
     std::copy(std::begin(polled), std::end(polled), std::begin(sweep.polled_row));
   }
 }

@@ -13,6 +13,9 @@
 namespace erg {
 namespace {
 
+/// What the random words of a step are for; each has a key space of its own.
+enum SnowWord : std::uint64_t { fall = 62, bonds, slides };
+
 constexpr int slide_rounds = 2;
 constexpr int cells_at_once = 64;  // that are looked over for steep edges together
 
@@ -243,7 +246,7 @@ void SnowMachine::slide() {
   for (std::uint64_t round = 0; round < slide_rounds; ++round) {
     std::uint32_t order[4] = {0, 1, 2, 3};
     for (std::uint32_t last = 3; last > 0; --last) {
-      std::swap(order[last], order[random_below(key_, round, last, snow_draw::slides, last + 1)]);
+      std::swap(order[last], order[random_below(key_, round, last, slides, last + 1)]);
     }
     for (const std::uint32_t kind : order) slide_class(kind < 2, static_cast<int>(kind & 1));
   }
@@ -320,7 +323,7 @@ void SnowMachine::slide_edge(std::size_t a, std::size_t b) {
 /// Snow falls at random and comes to lie on the lowest of nine cells.
 void SnowMachine::let_snow_fall() {
   if (law_->snowfall <= 0) return;
-  const std::uint64_t base = random_word(key_, 0, 0, snow_draw::fall);
+  const std::uint64_t base = random_word(key_, 0, 0, fall);
   fallen_.clear();
   executor_->for_pieces(frame_.width, [&](std::int64_t begin, std::int64_t end) {
     std::vector<std::uint32_t> fallen;
@@ -354,7 +357,7 @@ void SnowMachine::let_snow_fall() {
 
 /// Loose snow bonds from below; bonded snow grows older.
 void SnowMachine::rest() {
-  const auto key = static_cast<std::uint32_t>(random_word(key_, 0, 0, snow_draw::bonds));
+  const auto key = static_cast<std::uint32_t>(random_word(key_, 0, 0, bonds));
   const auto nx = static_cast<std::size_t>(extent_.nx);
   const std::int64_t next_by_v = frame_.step_v > 0 ? 1 : -1;
   const std::int64_t next_by_u = frame_.step_u > 0 ? frame_.length : -frame_.length;

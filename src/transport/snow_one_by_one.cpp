@@ -7,6 +7,12 @@
 #include "transport/snow_machine.h"
 
 namespace erg {
+namespace {
+
+/// What the random words of these flights are for; each has a key space of its own.
+enum FlightWord : std::uint64_t { flights = 60, drift = 61, shuffles = 65 };
+
+}  // namespace
 
 /// The reference: each slab sees what the last one left.
 void SnowMachine::fly_one_by_one() {
@@ -15,10 +21,9 @@ void SnowMachine::fly_one_by_one() {
   order_.resize(cells);
   std::iota(order_.begin(), order_.end(), 0u);
   for (std::size_t last = cells - 1; last > 0; --last) {
-    std::swap(order_[last],
-              order_[random_below(key_, 0, last, snow_draw::shuffles, static_cast<std::uint32_t>(last + 1))]);
+    std::swap(order_[last], order_[random_below(key_, 0, last, shuffles, static_cast<std::uint32_t>(last + 1))]);
   }
-  const std::uint64_t base = random_word(key_, 0, 0, snow_draw::flights);
+  const std::uint64_t base = random_word(key_, 0, 0, flights);
   for (const std::uint32_t number : order_) {
     const int u = static_cast<int>(number / static_cast<std::uint32_t>(frame_.length));
     const int v = static_cast<int>(number % static_cast<std::uint32_t>(frame_.length));
@@ -109,7 +114,7 @@ bool SnowMachine::strikes(std::size_t here, std::size_t from, float flown, std::
 /// Open boundary: drift comes in over the upwind edges.
 void SnowMachine::let_drift_enter() {
   if (inflow_ <= 0) return;
-  const std::uint64_t base = random_word(key_, 0, 0, snow_draw::drift);
+  const std::uint64_t base = random_word(key_, 0, 0, drift);
   std::uint64_t count = 0;
   const auto enter = [&](int u, int v, double rate) {
     std::uint64_t word = cell_word(base, count++);
