@@ -182,6 +182,19 @@ ERG_CELL_RULE int snow_hop_rows(std::uint32_t hops, std::uint32_t random) {
 }
 ERG_CELL_RULE int longest_snow_hop(std::uint32_t mean_64) { return static_cast<int>((mean_64 * 384 >> 14) + 2); }
 
+/// The share of a hop that is flown before higher ground ends it, of 256. A quotient of whole numbers below 2^24 whose
+/// rows are fewer than 2^15 rounds down as that of whole numbers does.
+ERG_CELL_RULE std::uint32_t share_of_hop(int flown, int whole) {
+  return static_cast<std::uint32_t>(
+      static_cast<int>(static_cast<float>(flown * 256) / static_cast<float>(whole)));
+}
+
+/// The random word of a row for what lifts there; that of a line in it is mix64(word + line). What comes down takes the
+/// complement.
+ERG_CELL_RULE std::uint64_t flight_row_word(std::uint32_t sweep_key, int row) {
+  return mix64((std::uint64_t{sweep_key} << 32) + static_cast<std::uint64_t>(row));
+}
+
 /// Height over the smoothed surface at which a slab that leaves here flies; higher ground ends its hop.
 ERG_CELL_RULE int flying_height(int over, int clearance_16) {
   return over + clearance_16 < highest_over ? over + clearance_16 : highest_over;
@@ -237,6 +250,11 @@ ERG_CELL_RULE std::uint32_t snow_word(std::int32_t loose, std::int32_t mobile) {
 }
 ERG_CELL_RULE std::int32_t loose_of(std::uint32_t snow) { return static_cast<std::int32_t>(snow & 0xffff); }
 ERG_CELL_RULE std::int32_t mobile_of(std::uint32_t snow) { return static_cast<std::int32_t>(snow >> 16); }
+
+/// The snow of a cell from which a slab has lifted: a loose one where there is one.
+ERG_CELL_RULE std::uint32_t without_slab(std::uint32_t snow) {
+  return snow - ((snow & 0xffff) != 0 ? snow_word(1, 1) : snow_word(0, 1));
+}
 
 /// The chance of 65536 that a slab lifts here: of loose snow where there is any, else of bonded snow.
 ERG_CELL_RULE std::uint32_t lift_chance_of(std::uint32_t snow, std::uint32_t chances) {

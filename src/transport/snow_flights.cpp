@@ -19,7 +19,7 @@ StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Ex
   plan_ = plan;
   plan_.kernels = &snow_kernels(instructions);
   plan_.reach = longest_snow_hop(plan.longest_mean_hop);
-  plan_.ring_rows = static_cast<int>(std::bit_ceil(static_cast<unsigned>(plan_.reach + 1)));
+  plan_.windows = static_cast<int>(std::bit_ceil(static_cast<unsigned>((plan_.reach + snow_window - 1) / snow_window + 1)));
   draw_lines();
   draw_sweeps();
   const int width = plan_.frame.width;

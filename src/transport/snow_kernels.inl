@@ -69,28 +69,6 @@ void rest(const SnowLaw& law, const SnowRestRow& row) {
   }
 }
 
-void poll(const SnowPolls& polls) {
-  alignas(64) std::uint32_t row[snow_lines];
-  alignas(64) std::uint32_t lifts[snow_lines];
-  const std::uint32_t* __restrict polled_row = polls.polled_row;
-  const SnowCell* __restrict cells = polls.cells;
-  const std::uint32_t key = polls.key + polls.first_line * 0x9e3779b9u;
-  const std::uint32_t chance_key = polls.chance_key;
-  const auto rows = static_cast<std::uint32_t>(polls.rows);
-  const int next_row = polls.next_row;
-  const int next_line = polls.next_line;
-  ERG_EACH(i, polls.lines) {
-    const std::uint32_t word = mix32(key + static_cast<std::uint32_t>(i) * 0x9e3779b9u);
-    const std::uint32_t at = polled_row[static_cast<int>(word >> 24)];
-    const bool within = at < rows;
-    const int cell = static_cast<int>(within ? at : 0) * next_row + i * next_line;
-    const std::uint32_t chance = lift_chance_of(cells[cell].snow, cells[cell].chances);
-    row[i] = within ? at : 0;
-    lifts[i] = within && (mix32(word ^ chance_key) >> 16) < chance ? 1 : 0;
-  }
-  for (int i = 0; i < polls.lines; ++i) polls.lifts[row[i]] |= static_cast<std::uint64_t>(lifts[i]) << i;
-}
-
 void find_runs(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count) {
   alignas(64) std::int16_t height[64];
   alignas(64) std::int16_t run[64];
@@ -130,12 +108,15 @@ void strength(const SnowLaw& given_law, int y, const std::int32_t* __restrict mo
   ERG_EACH(x, count) strength[x] = snow_strength(law, x, y, mobile[x] - loose[x]);
 }
 
+#include "transport/snow_flight.inl"
+
 #undef ERG_EACH
 
 }  // namespace
 
 extern const SnowKernels snow_kernels;
-const SnowKernels snow_kernels{weather, rest, poll, find_runs, any_steep, strength};
+const SnowKernels snow_kernels{weather,   rest,      lift,      launch,   land, draw_rows,
+                               take_snow, give_snow, find_runs, any_steep, strength};
 
 }  // namespace ERG_KERNELS
 }  // namespace erg

@@ -1,0 +1,329 @@
+// Kernels of snow in flight, part of snow_kernels.inl: slabs lift, fly and come down, and a strip takes the snow of its
+// lines from the terrain and gives it back. What slabs do is random, so no branch of the inner loops hangs on it where
+// a choice between two numbers will do.
+
+constexpr int side_by_side = 16;  // lanes that are worked on together; those too many do no harm
+constexpr std::uint32_t always = 65536;
+
+// --- terrain in and out ---
+
+/// `step` is a constant, so that both directions become vectors.
+template <int step>
+[[gnu::always_inline]] inline void take_in_order(const SnowStretch& stretch) {
+  const std::int32_t* __restrict mobile = stretch.mobile;
+  const std::int32_t* __restrict loose = stretch.loose;
+  const std::uint32_t* __restrict chances = stretch.chances;
+  const std::uint32_t* __restrict hops = stretch.hops;
+  const std::int16_t* __restrict over = stretch.over;
+  SnowCell* __restrict cells = stretch.cells;
+  std::int16_t* __restrict heights = stretch.heights;
+  ERG_EACH(i, stretch.count) {
+    cells[i].snow = snow_word(loose[i * step], mobile[i * step]);
+    cells[i].chances = chances[i * step];
+    cells[i].hops = hops[i * step];
+    cells[i].run = 0;
+    cells[i].landed = 0;
+  }
+  ERG_EACH(i, stretch.count) heights[i] = over[i * step];
+}
+
+void take_snow(const SnowStretch& stretch) {
+  if (stretch.step == 1) {
+    take_in_order<1>(stretch);
+  } else {
+    take_in_order<-1>(stretch);
+  }
+}
+
+template <int step>
+[[gnu::always_inline]] inline void give_in_order(const SnowStretch& stretch) {
+  std::int32_t* __restrict mobile = stretch.mobile;
+  std::int32_t* __restrict loose = stretch.loose;
+  float* __restrict landed = stretch.landed;
+  const SnowCell* __restrict cells = stretch.cells;
+  const float now = stretch.law->now;
+  ERG_EACH(i, stretch.count) {
+    const std::uint32_t snow = cells[i].snow;
+    mobile[i * step] = mobile_of(snow);
+    loose[i * step] = loose_of(snow);
+    landed[i * step] = cells[i].landed != 0 ? now : landed[i * step];
+  }
+}
+
+void give_snow(const SnowStretch& stretch) {
+  if (stretch.step == 1) {
+    give_in_order<1>(stretch);
+  } else {
+    give_in_order<-1>(stretch);
+  }
+}
+
+// --- lifting ---
+
+void draw_rows(std::uint32_t sweep_key, int first_row, std::uint64_t* __restrict row_words) {
+  ERG_EACH(i, snow_window) row_words[i] = flight_row_word(sweep_key, first_row + i);
+}
+
+void lift(const SnowPolls& polls, const SnowLines& lines, SnowLifts& lifts) {
+  alignas(64) std::int32_t row[snow_lines];
+  alignas(64) std::uint32_t lifted[snow_lines];
+  alignas(64) std::uint32_t hops[snow_lines] = {};
+  alignas(64) std::int32_t run[snow_lines] = {};
+  const std::uint32_t* __restrict polled_row = polls.polled_row;
+  SnowCell* const cells = lines.cells + std::ptrdiff_t{polls.first_row} * lines.next_row;
+  const auto* __restrict words = reinterpret_cast<const std::uint32_t*>(cells);
+  const std::uint32_t key = polls.key + static_cast<std::uint32_t>(lines.first_line) * 0x9e3779b9u;
+  const std::uint32_t chance_key = polls.chance_key;
+  const std::int32_t rows = polls.rows;
+  const std::int32_t count_lines = lines.lines;
+  const std::int32_t next_row = lines.next_row;
+  const std::int32_t next_line = lines.next_line;
+  ERG_EACH(i, snow_lines) {
+    const std::uint32_t word = mix32(key + static_cast<std::uint32_t>(i) * 0x9e3779b9u);
+    const auto polled = static_cast<std::int32_t>(polled_row[static_cast<std::int32_t>(word >> 24)]);
+    const std::int32_t at = polled < rows ? polled : 0;
+    const std::int32_t cell = (at * next_row + i * next_line) * 4;
+    const std::uint32_t chance = lift_chance_of(words[cell], words[cell + 1]);
+    const std::uint32_t lets_go = (mix32(word ^ chance_key) >> 16) < chance ? 1 : 0;
+    row[i] = at;
+    lifted[i] = (polled < rows ? 1 : 0) & (i < count_lines ? 1 : 0) & lets_go;
+  }
+  int count = 0;
+  for (int i = 0; i < snow_lines; ++i) {
+    lifts.line[count] = i;
+    count += static_cast<int>(lifted[i]);
+  }
+  lifts.count = count;
+  for (int k = 0; k < count; ++k) {
+    const int line = lifts.line[k];
+    SnowCell& cell = cells[row[line] * next_row + line * next_line];
+    cell.snow = without_slab(cell.snow);
+    lifts.row[k] = row[line];
+    hops[k] = cell.hops;
+    run[k] = cell.run;
+  }
+  const std::uint64_t* __restrict row_words = polls.row_words;
+  for (int first = 0; first < count; first += side_by_side) {
+    const std::int32_t* __restrict line = lifts.line + first;
+    std::int32_t* __restrict from = lifts.row + first;
+    std::int32_t* __restrict fall = lifts.fall + first;
+    std::uint32_t* __restrict share = lifts.flown + first;
+    alignas(64) std::uint64_t word[side_by_side];
+    ERG_EACH(k, side_by_side) {
+      from[k] &= snow_window - 1;  // beyond the last one stand other numbers
+      word[k] = row_words[from[k]] + static_cast<std::uint64_t>(lines.first_line + line[k]);
+    }
+    ERG_EACH(k, side_by_side) word[k] = mix64(word[k]);
+    ERG_EACH(k, side_by_side) {
+      const int whole = snow_hop_rows(hops[first + k], static_cast<std::uint32_t>(word[k]));
+      const int flown = whole < run[first + k] ? whole : run[first + k];
+      from[k] += polls.first_row;
+      fall[k] = from[k] + flown;
+      share[k] = share_of_hop(flown, whole);
+    }
+  }
+}
+
+/// Puts a slab into the air, or where `flies` is 0 does nothing.
+[[gnu::always_inline]] inline void send(const SnowAir& air, std::uint64_t flies, int line, int row, std::uint32_t share) {
+  const int window = row / snow_window & (air.windows - 1);
+  const int place = row & (air.windows * snow_window - 1);
+  air.loads[line * air.next_line + place] += -flies & (one_slab + share);
+  air.falls[window * snow_lines + line] |= flies << (row & (snow_window - 1));
+}
+
+void launch(const SnowLifts& lifts, SnowAir& air) {
+  std::int64_t rows_flown = 0;
+  const SnowAir here = air;
+  for (int k = 0; k < lifts.count; ++k) {
+    send(here, 1, lifts.line[k], lifts.fall[k], lifts.flown[k]);
+    rows_flown += lifts.fall[k] - lifts.row[k];
+  }
+  air.rows_flown += rows_flown;
+}
+
+// --- coming down ---
+
+/// Slabs that come down at the same time, each load in another line. Beyond `count` stand numbers of earlier ones.
+struct Arrivals {
+  int count = 0;
+  int hards = 0;
+  alignas(64) std::int32_t line[snow_lines];
+  alignas(64) std::int32_t row[snow_lines];   // of the window
+  alignas(64) std::int32_t cell[snow_lines];  // of the strip
+  alignas(64) std::uint64_t load[snow_lines];
+  alignas(64) std::uint64_t word[snow_lines];
+  alignas(64) std::uint32_t snow[snow_lines];
+  alignas(64) std::uint32_t hops[snow_lines];
+  alignas(64) std::int32_t run[snow_lines];
+  alignas(64) std::uint32_t rest[snow_lines];   // chance of 65536 to stay
+  alignas(64) std::uint32_t stays[snow_lines];  // slabs
+  alignas(64) std::uint32_t flies[snow_lines];  // 1: the first slab flies on
+  alignas(64) std::int32_t flown[snow_lines];   // rows
+  alignas(64) std::uint32_t share[snow_lines];
+  alignas(64) std::int32_t hard[snow_lines];  // those of them that strike bonded snow
+};
+
+/// Takes the first load out of the air over each of some lines.
+void take_first(const SnowLines& lines, int first_row, std::uint64_t within, const SnowAir& air,
+                const std::int32_t* active, Arrivals& all) {
+  const int first_place = first_row & (air.windows * snow_window - 1);
+  std::uint64_t* const falls = air.falls + (first_row / snow_window & (air.windows - 1)) * snow_lines;
+  int hards = 0;
+  for (int k = 0; k < all.count; ++k) {
+    const int line = active[k];
+    const int row = __builtin_ctzll(falls[line] & within);
+    falls[line] ^= std::uint64_t{1} << row;
+    std::uint64_t& load = air.loads[line * air.next_line + first_place + row];
+    const int cell = (first_row + row) * lines.next_row + line * lines.next_line;
+    const SnowCell& here = lines.cells[cell];
+    all.line[k] = line;
+    all.row[k] = row;
+    all.cell[k] = cell;
+    all.load[k] = load;
+    load = 0;
+    all.snow[k] = here.snow;
+    all.hops[k] = here.hops;
+    all.run[k] = here.run;
+    all.hard[hards] = k;
+    hards += (here.snow & 0xffff) == 0 && here.snow != 0 ? 1 : 0;
+  }
+  all.hards = hards;
+}
+
+/// What becomes of the first slab of each load. It decides on the snow as it finds it.
+void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_words, Arrivals& all) {
+  const std::uint32_t rest_loose = landings.rest_loose;
+  const std::uint32_t rest_hard = landings.rest_hard;
+  const std::uint32_t rest_ground = landings.rest_ground;
+  const std::uint32_t suspension = landings.suspension;
+  const std::uint32_t least_rest = landings.last ? always : 0;
+  const auto first_line = static_cast<std::uint64_t>(landings.lines.first_line);
+  for (int first = 0; first < all.count; first += side_by_side) {
+    std::uint64_t* __restrict word = all.word + first;
+    const std::int32_t* __restrict line = all.line + first;
+    const std::int32_t* __restrict row = all.row + first;
+    const std::uint32_t* __restrict snow = all.snow + first;
+    const std::uint32_t* __restrict hops = all.hops + first;
+    const std::int32_t* __restrict run = all.run + first;
+    std::uint32_t* __restrict chance = all.rest + first;
+    std::uint32_t* __restrict stays = all.stays + first;
+    std::uint32_t* __restrict flies = all.flies + first;
+    std::int32_t* __restrict rows = all.flown + first;
+    std::uint32_t* __restrict share = all.share + first;
+    ERG_EACH(k, side_by_side) word[k] = mix64(~row_words[row[k]] + first_line + static_cast<std::uint64_t>(line[k]));
+    ERG_EACH(k, side_by_side) {
+      const auto low = static_cast<std::uint32_t>(word[k]);
+      const auto high = static_cast<std::uint32_t>(word[k] >> 32);
+      const std::uint32_t on_bare = snow[k] >> 16 != 0 ? rest_hard : rest_ground;
+      const std::uint32_t on_snow = (snow[k] & 0xffff) != 0 ? rest_loose : on_bare;
+      const std::uint32_t in_light = on_snow > least_rest ? on_snow : least_rest;
+      const std::uint32_t rest = mean_hop_64(hops[k]) == 0 ? always : in_light;
+      const std::uint32_t stay = (low & 0xffff) < rest ? 1 : 0;
+      const std::uint32_t off = (low >> 16) < suspension ? 1 : 0;
+      const int whole = snow_hop_rows(hops[k], high);
+      const int flown = whole < run[k] ? whole : run[k];
+      chance[k] = rest;
+      stays[k] = stay;
+      flies[k] = (stay | off) ^ 1;
+      rows[k] = flown;
+      share[k] = share_of_hop(flown, whole);
+    }
+  }
+}
+
+/// The slabs of a load that are not the first.
+void decide_others(const SnowLandings& landings, int first_row, Arrivals& all, int k, SnowAir& air) {
+  std::uint64_t word = all.word[k];
+  for (std::uint64_t slabs = all.load[k] / one_slab; slabs > 1; --slabs) {
+    word = mix64(word);
+    const std::uint32_t stay = (word & 0xffff) < all.rest[k] ? 1 : 0;
+    const std::uint32_t off = (word >> 16 & 0xffff) < landings.suspension ? 1 : 0;
+    const std::uint32_t flies = (stay | off) ^ 1;
+    const int whole = snow_hop_rows(all.hops[k], static_cast<std::uint32_t>(word >> 32));
+    const int flown = whole < all.run[k] ? whole : all.run[k];
+    send(air, flies, all.line[k], first_row + all.row[k] + flown, share_of_hop(flown, whole));
+    all.stays[k] += stay;
+    air.rows_flown += flown & -static_cast<int>(flies);
+    air.carried_off += off & (stay ^ 1);
+  }
+}
+
+/// Strength of the uppermost bonded snow under a cell of the strip.
+float strength_at(const SnowLandings& landings, int row, int line, std::uint32_t snow) {
+  int u = landings.offsets[row] + landings.lines.first_line + line;
+  u = u < landings.width ? u : u - landings.width;
+  const std::int64_t cell = landings.origin + u * landings.step_u + row * landings.step_v;
+  return snow_strength(*landings.law, static_cast<int>(cell % landings.nx), static_cast<int>(cell / landings.nx),
+                       mobile_of(snow));
+}
+
+/// The impacts of a load on bonded snow free slabs of it in place.
+void strike(const SnowLandings& landings, int first_row, Arrivals& all, int k) {
+  const SnowLines& lines = landings.lines;
+  const std::int32_t* const ground = landings.ground;
+  const int row = first_row + all.row[k];
+  const int here = all.cell[k];
+  const std::uint32_t snow = all.snow[k];
+  std::int32_t upwind = landings.upwind[all.line[k]];
+  if (row > 0) {
+    const int before = here - lines.next_row;
+    upwind = mobile_of(lines.cells[before].snow) + (ground != nullptr ? ground[before] : 0);
+  }
+  const std::int32_t surface = mobile_of(snow) + (ground != nullptr ? ground[here] : 0);
+  const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface - upwind);
+  const auto slabs = static_cast<std::uint32_t>(all.load[k] / one_slab);
+  const float flown = static_cast<float>(all.load[k] % one_slab) / static_cast<float>(slabs * whole_hop);
+  const float power = abrasion_of(all.hops[k]) * impact_share(*landings.law, rise) * flown;
+  if (power <= 0) return;
+  std::uint32_t word = mix32(static_cast<std::uint32_t>(all.word[k] >> 32));
+  std::int32_t freed = 0;
+  for (std::uint32_t slab = 0; slab < slabs; ++slab) {
+    const float drawn = unit_24(word);
+    word = mix32(word + 0x85ebca6bu);
+    if (may_free(*landings.law, drawn, power) && drawn * strength_at(landings, row, all.line[k], snow) < power) ++freed;
+  }
+  const std::int32_t most = mobile_of(snow);
+  all.snow[k] += static_cast<std::uint32_t>(freed < most ? freed : most);
+}
+
+void land(const SnowLandings& landings, const std::uint64_t* row_words, int first_row, int end, std::uint64_t among,
+          SnowAir& air) {
+  const SnowLines lines = landings.lines;
+  const SnowAir here = air;
+  const std::uint64_t* const falls = here.falls + (first_row / snow_window & (here.windows - 1)) * snow_lines;
+  const int rows = end - first_row;
+  const std::uint64_t within = rows < snow_window ? (std::uint64_t{1} << rows) - 1 : ~std::uint64_t{0};
+  std::int32_t active[snow_lines + 1];
+  Arrivals all;
+  for (int k = 0; k < snow_lines; ++k) all.row[k] = all.run[k] = 0, all.hops[k] = 0;
+  for (int line = 0; line < lines.lines; ++line) {
+    active[all.count] = line;
+    all.count += (falls[line] & within) != 0 && (among >> line & 1) != 0 ? 1 : 0;
+  }
+  while (all.count > 0) {
+    take_first(lines, first_row, within, here, active, all);
+    decide(landings, row_words, all);
+    for (int k = 0; k < all.hards; ++k) strike(landings, first_row, all, all.hard[k]);
+    std::int64_t rows_flown = 0;
+    std::int64_t carried_off = 0;
+    int count = 0;
+    for (int k = 0; k < all.count; ++k) {
+      const int line = all.line[k];
+      const std::uint32_t flies = all.flies[k];
+      send(here, flies, line, first_row + all.row[k] + all.flown[k], all.share[k]);
+      rows_flown += all.flown[k] & -static_cast<int>(flies);
+      carried_off += (all.stays[k] | flies) ^ 1;
+      if (all.load[k] >= 2 * one_slab) decide_others(landings, first_row, all, k, air);
+      const std::uint32_t stays = all.stays[k];
+      SnowCell& cell = lines.cells[all.cell[k]];
+      cell.snow = all.snow[k] + snow_word(1, 1) * stays;
+      cell.landed = static_cast<std::int16_t>(cell.landed | (stays != 0 ? 1 : 0));
+      active[count] = line;
+      count += (falls[line] & within) != 0 ? 1 : 0;
+    }
+    all.count = count;
+    air.rows_flown += rows_flown;
+    air.carried_off += carried_off;
+  }
+}
