@@ -27,8 +27,23 @@ template <int step>
   ERG_EACH(i, stretch.count) heights[i] = over[i * step];
 }
 
+/// The same where neighbours in the strip lie anywhere.
+void take_scattered(const SnowStretch& stretch) {
+  const std::int32_t* __restrict places = stretch.places;
+  SnowCell* __restrict cells = stretch.cells;
+  std::int16_t* __restrict heights = stretch.heights;
+  for (int i = 0; i < stretch.count; ++i) {
+    const std::int32_t place = places[i];
+    cells[i] = {snow_word(stretch.loose[place], stretch.mobile[place]), stretch.chances[place], stretch.hops[place], 0,
+                0};
+    heights[i] = stretch.over[place];
+  }
+}
+
 void take_snow(const SnowStretch& stretch) {
-  if (stretch.step == 1) {
+  if (stretch.places != nullptr) {
+    take_scattered(stretch);
+  } else if (stretch.step == 1) {
     take_in_order<1>(stretch);
   } else {
     take_in_order<-1>(stretch);
@@ -50,8 +65,21 @@ template <int step>
   }
 }
 
+void give_scattered(const SnowStretch& stretch) {
+  const std::int32_t* __restrict places = stretch.places;
+  const SnowCell* __restrict cells = stretch.cells;
+  for (int i = 0; i < stretch.count; ++i) {
+    const std::int32_t place = places[i];
+    stretch.mobile[place] = mobile_of(cells[i].snow);
+    stretch.loose[place] = loose_of(cells[i].snow);
+    if (cells[i].landed != 0) stretch.landed[place] = stretch.law->now;
+  }
+}
+
 void give_snow(const SnowStretch& stretch) {
-  if (stretch.step == 1) {
+  if (stretch.places != nullptr) {
+    give_scattered(stretch);
+  } else if (stretch.step == 1) {
     give_in_order<1>(stretch);
   } else {
     give_in_order<-1>(stretch);
@@ -125,7 +153,8 @@ void lift(const SnowPolls& polls, const SnowLines& lines, SnowLifts& lifts) {
 }
 
 /// Puts a slab into the air, or where `flies` is 0 does nothing.
-[[gnu::always_inline]] inline void send(const SnowAir& air, std::uint64_t flies, int line, int row, std::uint32_t share) {
+[[gnu::always_inline]] inline void send(const SnowAir& air, std::uint64_t flies, int line, int row,
+                                        std::uint32_t share) {
   const int window = row / snow_window & (air.windows - 1);
   const int place = row & (air.windows * snow_window - 1);
   air.loads[line * air.next_line + place] += -flies & (one_slab + share);
@@ -148,6 +177,7 @@ void launch(const SnowLifts& lifts, SnowAir& air) {
 struct Arrivals {
   int count = 0;
   int hards = 0;
+  int crowds = 0;
   alignas(64) std::int32_t line[snow_lines];
   alignas(64) std::int32_t row[snow_lines];   // of the window
   alignas(64) std::int32_t cell[snow_lines];  // of the strip
@@ -158,10 +188,13 @@ struct Arrivals {
   alignas(64) std::int32_t run[snow_lines];
   alignas(64) std::uint32_t rest[snow_lines];   // chance of 65536 to stay
   alignas(64) std::uint32_t stays[snow_lines];  // slabs
-  alignas(64) std::uint32_t flies[snow_lines];  // 1: the first slab flies on
-  alignas(64) std::int32_t flown[snow_lines];   // rows
-  alignas(64) std::uint32_t share[snow_lines];
-  alignas(64) std::int32_t hard[snow_lines];  // those of them that strike bonded snow
+  // Where the first slab flies on: its next load, and which bit says so. Both 0 where it does not.
+  alignas(64) std::int32_t place[snow_lines];
+  alignas(64) std::int32_t window[snow_lines];
+  alignas(64) std::uint64_t push[snow_lines];
+  alignas(64) std::uint64_t fall[snow_lines];
+  std::int32_t hard[snow_lines];   // those of them that strike bonded snow
+  std::int32_t crowd[snow_lines];  // those of more than one slab
 };
 
 /// Takes the first load out of the air over each of some lines.
@@ -170,36 +203,47 @@ void take_first(const SnowLines& lines, int first_row, std::uint64_t within, con
   const int first_place = first_row & (air.windows * snow_window - 1);
   std::uint64_t* const falls = air.falls + (first_row / snow_window & (air.windows - 1)) * snow_lines;
   int hards = 0;
+  int crowds = 0;
   for (int k = 0; k < all.count; ++k) {
     const int line = active[k];
     const int row = __builtin_ctzll(falls[line] & within);
     falls[line] ^= std::uint64_t{1} << row;
-    std::uint64_t& load = air.loads[line * air.next_line + first_place + row];
+    std::uint64_t& waiting = air.loads[line * air.next_line + first_place + row];
+    const std::uint64_t load = waiting;
+    waiting = 0;
     const int cell = (first_row + row) * lines.next_row + line * lines.next_line;
     const SnowCell& here = lines.cells[cell];
     all.line[k] = line;
     all.row[k] = row;
     all.cell[k] = cell;
     all.load[k] = load;
-    load = 0;
     all.snow[k] = here.snow;
     all.hops[k] = here.hops;
     all.run[k] = here.run;
     all.hard[hards] = k;
     hards += (here.snow & 0xffff) == 0 && here.snow != 0 ? 1 : 0;
+    all.crowd[crowds] = k;
+    crowds += load >= 2 * one_slab ? 1 : 0;
   }
   all.hards = hards;
+  all.crowds = crowds;
 }
 
 /// What becomes of the first slab of each load. It decides on the snow as it finds it.
-void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_words, Arrivals& all) {
+void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_words, int first_row, Arrivals& all,
+            SnowAir& air) {
   const std::uint32_t rest_loose = landings.rest_loose;
   const std::uint32_t rest_hard = landings.rest_hard;
   const std::uint32_t rest_ground = landings.rest_ground;
   const std::uint32_t suspension = landings.suspension;
   const std::uint32_t least_rest = landings.last ? always : 0;
   const auto first_line = static_cast<std::uint64_t>(landings.lines.first_line);
-  for (int first = 0; first < all.count; first += side_by_side) {
+  const std::int32_t windows = air.windows - 1;
+  const std::int32_t next_line = air.next_line;
+  const std::int32_t count = all.count;
+  std::int32_t rows_flown = 0;
+  std::int32_t carried_off = 0;
+  for (int first = 0; first < count; first += side_by_side) {
     std::uint64_t* __restrict word = all.word + first;
     const std::int32_t* __restrict line = all.line + first;
     const std::int32_t* __restrict row = all.row + first;
@@ -208,9 +252,14 @@ void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_wo
     const std::int32_t* __restrict run = all.run + first;
     std::uint32_t* __restrict chance = all.rest + first;
     std::uint32_t* __restrict stays = all.stays + first;
-    std::uint32_t* __restrict flies = all.flies + first;
-    std::int32_t* __restrict rows = all.flown + first;
-    std::uint32_t* __restrict share = all.share + first;
+    std::int32_t* __restrict place = all.place + first;
+    std::int32_t* __restrict window = all.window + first;
+    std::uint64_t* __restrict push = all.push + first;
+    std::uint64_t* __restrict fall = all.fall + first;
+    alignas(64) std::uint32_t flies[side_by_side];
+    alignas(64) std::uint32_t share[side_by_side];
+    alignas(64) std::uint32_t bit[side_by_side];
+    const std::int32_t left = count - first;
     ERG_EACH(k, side_by_side) word[k] = mix64(~row_words[row[k]] + first_line + static_cast<std::uint64_t>(line[k]));
     ERG_EACH(k, side_by_side) {
       const auto low = static_cast<std::uint32_t>(word[k]);
@@ -221,15 +270,29 @@ void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_wo
       const std::uint32_t rest = mean_hop_64(hops[k]) == 0 ? always : in_light;
       const std::uint32_t stay = (low & 0xffff) < rest ? 1 : 0;
       const std::uint32_t off = (low >> 16) < suspension ? 1 : 0;
-      const int whole = snow_hop_rows(hops[k], high);
-      const int flown = whole < run[k] ? whole : run[k];
+      const std::uint32_t fly = (stay | off) ^ 1;
+      const std::int32_t whole = snow_hop_rows(hops[k], high);
+      const std::int32_t flown = whole < run[k] ? whole : run[k];
+      const std::int32_t to = first_row + row[k] + flown;
+      const std::int32_t to_window = to / snow_window & windows;
       chance[k] = rest;
       stays[k] = stay;
-      flies[k] = (stay | off) ^ 1;
-      rows[k] = flown;
+      flies[k] = fly;
       share[k] = share_of_hop(flown, whole);
+      bit[k] = static_cast<std::uint32_t>(to & (snow_window - 1));
+      place[k] = line[k] * next_line + to_window * snow_window + (to & (snow_window - 1));
+      window[k] = to_window * snow_lines + line[k];
+      rows_flown += k < left ? flown & -static_cast<std::int32_t>(fly) : 0;
+      carried_off += k < left ? static_cast<std::int32_t>((stay | fly) ^ 1) : 0;
+    }
+    ERG_EACH(k, side_by_side) {
+      const std::uint64_t fly = flies[k];
+      push[k] = fly * one_slab + (-fly & share[k]);
+      fall[k] = fly << bit[k];
     }
   }
+  air.rows_flown += rows_flown;
+  air.carried_off += carried_off;
 }
 
 /// The slabs of a load that are not the first.
@@ -303,27 +366,21 @@ void land(const SnowLandings& landings, const std::uint64_t* row_words, int firs
   }
   while (all.count > 0) {
     take_first(lines, first_row, within, here, active, all);
-    decide(landings, row_words, all);
+    decide(landings, row_words, first_row, all, air);
     for (int k = 0; k < all.hards; ++k) strike(landings, first_row, all, all.hard[k]);
-    std::int64_t rows_flown = 0;
-    std::int64_t carried_off = 0;
+    for (int k = 0; k < all.crowds; ++k) decide_others(landings, first_row, all, all.crowd[k], air);
     int count = 0;
     for (int k = 0; k < all.count; ++k) {
       const int line = all.line[k];
-      const std::uint32_t flies = all.flies[k];
-      send(here, flies, line, first_row + all.row[k] + all.flown[k], all.share[k]);
-      rows_flown += all.flown[k] & -static_cast<int>(flies);
-      carried_off += (all.stays[k] | flies) ^ 1;
-      if (all.load[k] >= 2 * one_slab) decide_others(landings, first_row, all, k, air);
       const std::uint32_t stays = all.stays[k];
       SnowCell& cell = lines.cells[all.cell[k]];
       cell.snow = all.snow[k] + snow_word(1, 1) * stays;
       cell.landed = static_cast<std::int16_t>(cell.landed | (stays != 0 ? 1 : 0));
+      here.loads[all.place[k]] += all.push[k];
+      here.falls[all.window[k]] |= all.fall[k];
       active[count] = line;
       count += (falls[line] & within) != 0 ? 1 : 0;
     }
     all.count = count;
-    air.rows_flown += rows_flown;
-    air.carried_off += carried_off;
   }
 }

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "core/errors.h"
+#include "transport/box_mean.h"
 #include "transport/fixed_point.h"
 
 namespace erg {
@@ -18,15 +19,18 @@ enum SnowWord : std::uint64_t { fall = 62, bonds, slides };
 
 constexpr int slide_rounds = 2;
 constexpr int cells_at_once = 64;  // that are looked over for steep edges together
-
-/// Raises a number that other threads raise.
-template <typename Number>
-void raise(std::atomic<Number>& most, Number value) {
-  for (Number seen = most; value > seen && !most.compare_exchange_weak(seen, value);) {
-  }
-}
+constexpr std::int64_t most_at_once = 4096;
+constexpr int rows_at_once = 64;                // that are followed for shadow together
+constexpr std::int32_t no_shadow = -(1 << 24);  // lower than any surface, fixed point
 
 }  // namespace
+
+/// Rows of lines side by side.
+struct SnowMachine::ShadowTile {
+  int first_u[rows_at_once];  ///< column of the first line
+  std::uint16_t height[rows_at_once][snow_lines];
+  std::uint8_t dark[rows_at_once][snow_lines];
+};
 
 StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, Radii radii, double shadow_fall,
                              const WindNow& wind, StepKey key, Executor& executor) {
@@ -63,145 +67,196 @@ StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw
 
 void SnowMachine::measure_heights() {
   const std::size_t cells = extent_.cells();
-  height_.resize(cells);
-  std::atomic<std::int32_t> highest{std::numeric_limits<std::int32_t>::min()};
-  std::atomic<std::int32_t> deepest{std::numeric_limits<std::int32_t>::min()};  // the lowest surface, its sign turned
-  std::atomic<std::int32_t> most{0};
-  std::atomic<std::int32_t> any_relief{0};
+  const SnowKernels& kernels = snow_kernels(instructions_);
+  SnowHeights all;
+  all.level = bedrock_[0];
   executor_->for_pieces(static_cast<std::int64_t>(cells), [&](std::int64_t begin, std::int64_t end) {
-    std::int32_t low = std::numeric_limits<std::int32_t>::max();
-    std::int32_t high = std::numeric_limits<std::int32_t>::min();
-    std::int32_t snow = 0;
-    std::int32_t uneven = 0;
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      const std::int32_t here = surface(k);
-      height_[k] = static_cast<std::uint32_t>(here);
-      low = std::min(low, here);
-      high = std::max(high, here);
-      snow = std::max(snow, mobile_[k]);
-      uneven |= bedrock_[k] ^ bedrock_[0];
+    SnowHeights heights;
+    heights.level = bedrock_[0];
+    for (std::int64_t at = begin; at < end; at += most_at_once) {
+      kernels.survey(bedrock_ + at, mobile_ + at, static_cast<int>(std::min(most_at_once, end - at)), heights);
     }
-    raise(highest, high);
-    raise(deepest, -low);
-    raise(most, snow);
-    if (uneven != 0) any_relief = 1;
+    const std::lock_guard lock(mutex_);
+    all.lowest = std::min(all.lowest, heights.lowest);
+    all.highest = std::max(all.highest, heights.highest);
+    all.most_snow = std::max(all.most_snow, heights.most_snow);
+    all.uneven |= heights.uneven;
   });
-  low_ = -deepest;
-  high_ = highest;
-  relief_ = any_relief != 0;
-  if (most > highest_terrain || high_ - low_ > highest_terrain) {
+  low_ = all.lowest;
+  high_ = all.highest;
+  relief_ = all.uneven != 0;
+  if (all.most_snow > highest_terrain || high_ - low_ > highest_terrain) {
     throw InputError("terrain",
-                     "it has grown to " + std::to_string(std::max<std::int32_t>(most, high_ - low_)) +
+                     "it has grown to " + std::to_string(std::max<std::int32_t>(all.most_snow, high_ - low_)) +
                          " slabs, more than " + std::to_string(highest_terrain),
                      "use a larger slab height or less snow");
   }
+  height_.resize(cells);
   executor_->for_pieces(static_cast<std::int64_t>(cells), [&](std::int64_t begin, std::int64_t end) {
-    const auto low = static_cast<std::uint32_t>(low_);
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) height_[k] -= low;
+    for (std::int64_t at = begin; at < end; at += most_at_once) {
+      kernels.raise(bedrock_ + at, mobile_ + at, low_, height_.data() + at,
+                    static_cast<int>(std::min(most_at_once, end - at)));
+    }
   });
 }
 
 void SnowMachine::measure_weather(double shadow_fall) {
   const std::size_t cells = extent_.cells();
-  const auto most = static_cast<std::uint32_t>(high_ - low_);
-  means_.measure(extent_, boundary_, radii_.around, false, height_, most, around_, *executor_);
-  means_.measure(extent_, boundary_, radii_.smooth, true, height_, most, level_, *executor_);
   dark_.resize(cells);
   find_shadow(shadow_fall);
   chances_.resize(cells);
   hops_.resize(cells);
   over_.resize(cells);
-  std::atomic<std::uint32_t> longest{0};
+  longest_mean_hop_ = 0;
   executor_->for_pieces(extent_.ny, [&](std::int64_t begin, std::int64_t end) {
-    std::uint32_t longest_here = 0;
-    for (std::int64_t y = begin; y < end; ++y) {
-      longest_here = std::max(longest_here, make_weather(static_cast<int>(y)));
-    }
-    raise(longest, longest_here);
+    const std::uint32_t longest = make_weather(static_cast<int>(begin), static_cast<int>(end));
+    const std::lock_guard lock(mutex_);
+    longest_mean_hop_ = std::max(longest_mean_hop_, longest);
   });
-  longest_mean_hop_ = longest;
 }
 
-/// The weather of a row of the terrain; returns the longest mean hop.
-std::uint32_t SnowMachine::make_weather(int y) {
-  const bool torus = boundary_ == Boundary::torus;
-  const int nx = extent_.nx;
-  const int ny = extent_.ny;
-  const auto row_start = [nx](int row) { return static_cast<std::size_t>(row) * static_cast<std::size_t>(nx); };
-  const std::size_t south = row_start(torus ? wrap(y - 1, ny) : std::max(y - 1, 0));
-  const std::size_t north = row_start(torus ? wrap(y + 1, ny) : std::min(y + 1, ny - 1));
+/// What the weather of a row is made from, but for the smoothed surface.
+SnowWeatherRow SnowMachine::weather_row(int y) const {
   // Half the difference of two neighbours is the slope in slabs a cell.
   const double along = 0.5 * frame_.cosine * law_->slope_scale * (frame_.step_v > 0 ? 1 : -1);
   const double across = 0.5 * frame_.tangent * frame_.cosine * law_->slope_scale * (frame_.step_u > 0 ? 1 : -1);
-  const auto cells = [&](int x, int count, int west, int east) {
-    const std::size_t here = row_start(y) + static_cast<std::size_t>(x);
-    SnowWeatherRow row;
-    row.count = count;
-    row.slope_by_x = static_cast<float>(along_x() ? along : across);
-    row.slope_by_y = static_cast<float>(along_x() ? across : along);
-    row.rows = static_cast<float>(frame_.cosine);
-    row.level = level_.data() + here;
-    row.west = level_.data() + row_start(y) + west;
-    row.east = level_.data() + row_start(y) + east;
-    row.south = level_.data() + south + x;
-    row.north = level_.data() + north + x;
-    row.around = around_.data() + here;
-    row.landed = layers_->landed.data() + here;
-    row.age = layers_->age.data() + here;
-    row.surface = height_.data() + here;
-    row.dark = dark_.data() + here;
+  const std::size_t here = static_cast<std::size_t>(y) * static_cast<std::size_t>(extent_.nx);
+  SnowWeatherRow row;
+  row.count = extent_.nx;
+  row.slope_by_x = static_cast<float>(along_x() ? along : across);
+  row.slope_by_y = static_cast<float>(along_x() ? across : along);
+  row.rows = static_cast<float>(frame_.cosine);
+  row.landed = layers_->landed.data() + here;
+  row.age = layers_->age.data() + here;
+  row.surface = height_.data() + here;
+  row.dark = dark_.data() + here;
+  return row;
+}
+
+/// The weather of some rows of the terrain; returns the longest mean hop. The smoothed surface is made row by row
+/// beside it, so that it need not go through memory.
+std::uint32_t SnowMachine::make_weather(int begin, int end) {
+  const bool torus = boundary_ == Boundary::torus;
+  const int nx = extent_.nx;
+  const auto width = static_cast<std::size_t>(nx);
+  const BoxGrid grid{extent_, boundary_, height_.data(), static_cast<std::uint16_t>(high_ - low_),
+                     &snow_kernels(instructions_)};
+  const int first = torus ? begin - 1 : std::max(begin - 1, 0);
+  const int last = torus ? end : std::min(end, extent_.ny - 1);
+  const std::unique_ptr<BoxMeans> levels = box_means(grid, radii_.smooth, true, first);
+  const std::unique_ptr<BoxMeans> surroundings = box_means(grid, radii_.around, false, begin);
+  std::vector<float> rows[3];  // of the smoothed surface, with a place more on either side
+  for (std::vector<float>& row : rows) row.resize(width + 2);
+  std::vector<float> around(width);
+  const auto level = [&](int y) -> std::vector<float>& { return rows[(y - first) % 3]; };
+  int made = first;
+  std::uint32_t longest = 0;
+  for (int y = begin; y < end; ++y) {
+    for (; made <= std::min(y + 1, last); ++made) {
+      std::vector<float>& row = level(made);
+      levels->next(row.data() + 1);
+      row[0] = torus ? row[width] : row[1];
+      row[width + 1] = torus ? row[1] : row[width];
+    }
+    surroundings->next(around.data());
+    SnowWeatherRow row = weather_row(y);
+    row.level = level(y).data() + 1;
+    row.south = level(std::max(y - 1, first)).data() + 1;
+    row.north = level(std::min(y + 1, last)).data() + 1;
+    row.around = around.data();
+    const std::size_t here = static_cast<std::size_t>(y) * width;
     row.chances = chances_.data() + here;
     row.hops = hops_.data() + here;
     row.over = over_.data() + here;
-    return snow_kernels(instructions_).weather(*law_, row);
-  };
-  std::uint32_t longest = cells(0, 1, torus ? nx - 1 : 0, std::min(1, nx - 1));
-  if (nx > 2) longest = std::max(longest, cells(1, nx - 2, 0, 2));
-  if (nx > 1) longest = std::max(longest, cells(nx - 1, 1, nx - 2, torus ? 0 : nx - 1));
+    longest = std::max(longest, grid.kernels->weather(*law_, row));
+  }
   return longest;
 }
 
 void SnowMachine::find_shadow(double shadow_fall) {
   executor_->for_pieces(frame_.width, [&](std::int64_t begin, std::int64_t end) {
-    // Where lines lie in memory a few are followed at a time, else all side by side.
-    const int step = along_x() ? 16 : static_cast<int>(end - begin);
-    for (int line = static_cast<int>(begin); line < end; line += step) {
-      shade_lines(line, std::min(line + step, static_cast<int>(end)), shadow_fall);
+    for (std::int64_t line = begin; line < end; line += snow_lines) {
+      shade_lines(static_cast<int>(line), static_cast<int>(std::min<std::int64_t>(end - line, snow_lines)),
+                  shadow_fall);
     }
   });
 }
 
-/// Follows lines down the wind with the shadow line of all that they have passed, and that of the cell before.
-void SnowMachine::shade_lines(int first, int end, double shadow_fall) {
-  constexpr std::int64_t no_line = std::numeric_limits<std::int64_t>::min() / 4;
+/// Follows lines down the wind with the shadow line of all that they have passed, and that of the cell before. Some
+/// rows at a time are taken from the terrain with their lines side by side.
+void SnowMachine::shade_lines(int first, int lines, double shadow_fall) {
   const bool open = boundary_ == Boundary::open;
-  const std::int64_t fall_far = fixed_point(shadow_fall / frame_.cosine);
-  const std::int64_t fall_near = fixed_point(shadow_fall);
+  const SnowKernels& kernels = snow_kernels(instructions_);
+  const auto fall = [](double slabs) {  // one that is longer than any snow is high shades nothing
+    return static_cast<std::int32_t>(std::min<std::int64_t>(fixed_point(slabs), -no_shadow));
+  };
   const auto tangent_24 = static_cast<std::int64_t>(frame_.tangent * 0x1p24);
   // Rows before the first one from which a shadow can still reach over the torus edge.
   const double reach = static_cast<double>(high_ - low_) * frame_.cosine / std::max(shadow_fall, 1e-6) + 3;
   const int limit = 2 * frame_.length;
   const int start = open ? 0 : -(reach < limit ? static_cast<int>(reach) : limit);
-  std::vector<std::int64_t> far(static_cast<std::size_t>(end - first), no_line);
-  std::vector<std::int64_t> near = far;
-  const auto moved = [&](int row) { return (row * tangent_24 + (std::int64_t{1} << 23)) >> 24; };
-  std::int64_t sideways = moved(start);
-  int first_u = wrap(static_cast<int>(first + sideways), frame_.width);
-  int v = wrap(start, frame_.length);
-  for (int row = start; row < frame_.length; ++row, v = v + 1 == frame_.length ? 0 : v + 1) {
-    if (const std::int64_t now = moved(row); now != sideways) {
-      sideways = now;
-      if (++first_u == frame_.width) first_u = 0;
+  std::int32_t far[snow_lines];
+  std::int32_t near[snow_lines];
+  std::fill(std::begin(far), std::end(far), no_shadow);
+  std::fill(std::begin(near), std::end(near), no_shadow);
+  ShadowTile tile;
+  int end = 0;
+  for (int begin = start; begin < frame_.length; begin = end) {
+    end = std::min({begin + rows_at_once, begin < 0 ? 0 : frame_.length, frame_.length});
+    for (int row = begin; row < end; ++row) {
+      tile.first_u[row - begin] =
+          wrap(static_cast<int>(first + ((row * tangent_24 + (std::int64_t{1} << 23)) >> 24)), frame_.width);
     }
-    int u = first_u;
-    for (std::size_t line = 0; line < far.size(); ++line) {
-      if (open && u == 0) far[line] = near[line] = no_line;  // enters over the side, or begins here
-      const std::size_t here = cell(u, v);
-      const std::int64_t height = static_cast<std::int64_t>(height_[here]) << fixed_point_bits;
-      if (row >= 0) dark_[here] = height < std::max(far[line], near[line]) ? 1 : 0;
-      far[line] = std::max(height, far[line]) - fall_far;
-      near[line] = height - fall_near;
-      if (++u == frame_.width) u = 0;
+    for_tile(begin, end, lines, tile, [&](int k, int line, std::ptrdiff_t next, std::size_t cell, int count) {
+      const std::uint16_t* from = height_.data() + cell;
+      if (along_x()) {
+        for (int i = 0; i < count; ++i) tile.height[k + i][line] = from[i * next];
+      } else {
+        for (int i = 0; i < count; ++i) tile.height[k][line + i] = from[i * next];
+      }
+    });
+    for (int row = begin; row < end; ++row) {
+      const int k = row - begin;
+      if (const int entering = tile.first_u[k] == 0 ? 0 : frame_.width - tile.first_u[k]; open && entering < lines) {
+        far[entering] = near[entering] = no_shadow;  // it enters over the side, or begins here
+      }
+      kernels.shade(
+          {lines, fall(shadow_fall / frame_.cosine), fall(shadow_fall), tile.height[k], far, near, tile.dark[k]});
+    }
+    if (begin < 0) continue;
+    for_tile(begin, end, lines, tile, [&](int k, int line, std::ptrdiff_t next, std::size_t cell, int count) {
+      std::uint8_t* to = dark_.data() + cell;
+      if (along_x()) {
+        for (int i = 0; i < count; ++i) to[i * next] = tile.dark[k + i][line];
+      } else {
+        for (int i = 0; i < count; ++i) to[i * next] = tile.dark[k][line + i];
+      }
+    });
+  }
+}
+
+/// Calls visit(row of the tile, line, step, cell of the terrain, count) for each piece of cells that lie in the terrain
+/// one beside another: rows of a line, or lines of a row.
+template <typename Visit>
+void SnowMachine::for_tile(int begin, int end, int lines, const ShadowTile& tile, const Visit& visit) const {
+  const auto cell_of = [&](int k, int line) {
+    const int u = tile.first_u[k] + line;
+    return frame_.cell(u < frame_.width ? u : u - frame_.width, wrap(begin + k, frame_.length));
+  };
+  if (!along_x()) {
+    for (int k = 0; k < end - begin; ++k) {
+      const int before_edge = std::min(lines, frame_.width - tile.first_u[k]);
+      visit(k, 0, frame_.step_u, cell_of(k, 0), before_edge);
+      if (before_edge < lines) visit(k, before_edge, frame_.step_u, cell_of(k, before_edge), lines - before_edge);
+    }
+    return;
+  }
+  for (int line = 0; line < lines; ++line) {
+    for (int k = 0; k < end - begin;) {
+      int next = k + 1;
+      while (next < end - begin && tile.first_u[next] == tile.first_u[k] && (begin + next) % frame_.length != 0) ++next;
+      visit(k, line, frame_.step_v, cell_of(k, line), next - k);
+      k = next;
     }
   }
 }
@@ -243,6 +298,7 @@ void SnowMachine::fly_in_sweeps() {
 // --- slides ---
 
 void SnowMachine::slide() {
+  find_steep();
   for (std::uint64_t round = 0; round < slide_rounds; ++round) {
     std::uint32_t order[4] = {0, 1, 2, 3};
     for (std::uint32_t last = 3; last > 0; --last) {
@@ -252,6 +308,38 @@ void SnowMachine::slide() {
   }
 }
 
+/// Looks at all edges once. Later only those around a slide may become steep.
+void SnowMachine::find_steep() {
+  const int nx = extent_.nx;
+  const int ny = extent_.ny;
+  blocks_ = (nx + cells_at_once - 1) / cells_at_once;
+  const std::size_t blocks = static_cast<std::size_t>(blocks_) * static_cast<std::size_t>(ny);
+  steep_in_row_.assign(blocks, 0);
+  steep_to_next_.assign(blocks, 0);
+  executor_->for_pieces(ny, [&](std::int64_t begin, std::int64_t end) {
+    for (int y = static_cast<int>(begin); y < end; ++y) {
+      const std::size_t here = index(0, y);
+      const std::size_t next = index(0, y + 1 < ny ? y + 1 : 0);
+      for (int x = 0; x < nx; x += cells_at_once) {
+        const auto at = static_cast<std::size_t>(x);
+        const int count = std::min(cells_at_once, nx - x);
+        const std::size_t flag = block(x, y);
+        if (steep_edges(here + at, here + at + 1, std::min(count, nx - 1 - x)) != 0) steep_in_row_[flag] = 1;
+        if (steep_edges(here + at, next + at, count) != 0) steep_to_next_[flag] = 1;
+      }
+    }
+  });
+}
+
+/// A cell's height has changed. Threads may mark a block at the same time, though none looks at it then.
+void SnowMachine::mark_steep(int x, int y) {
+  const auto mark = [](std::uint8_t& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); };
+  mark(steep_in_row_[block(x, y)]);
+  if (x > 0) mark(steep_in_row_[block(x - 1, y)]);
+  mark(steep_to_next_[block(x, y)]);
+  mark(steep_to_next_[block(x, y > 0 ? y - 1 : extent_.ny - 1)]);
+}
+
 /// The edges along (or across) the wind that begin at even (odd) places; those over the border come by themselves.
 void SnowMachine::slide_class(bool along, int odd) {
   const int count = along ? frame_.length : frame_.width;
@@ -259,53 +347,61 @@ void SnowMachine::slide_class(bool along, int odd) {
   const int first = forward ? odd : (count - odd) & 1;  // the terrain's own place at which edges begin
   const bool closes = odd == 1 && boundary_ == Boundary::torus && count > 2;
   const int ny = extent_.ny;
-  const auto nx = static_cast<std::size_t>(extent_.nx);
   if (along == along_x()) {
     executor_->for_pieces(ny, [&](std::int64_t begin, std::int64_t end) {
-      for (auto y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y) {
-        slide_in_row(y * nx, first);
-        if (closes) slide_edge(y * nx, y * nx + nx - 1);
+      for (int y = static_cast<int>(begin); y < end; ++y) {
+        slide_in_row(y, first);
+        if (closes) slide_edge(0, y, extent_.nx - 1, y);
       }
     });
     return;
   }
   executor_->for_pieces((ny - first) / 2, [&](std::int64_t begin, std::int64_t end) {
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      const std::size_t row = (2 * k + static_cast<std::size_t>(first)) * nx;
-      slide_between_rows(row, row + nx);
-    }
+    for (int k = static_cast<int>(begin); k < end; ++k) slide_to_next(2 * k + first);
   });
-  if (closes) slide_between_rows(static_cast<std::size_t>(ny - 1) * nx, 0);
+  if (closes) slide_to_next(ny - 1);
 }
 
 /// The edges of a row that begin at every second place from `first` on.
-void SnowMachine::slide_in_row(std::size_t row, int first) {
+void SnowMachine::slide_in_row(int y, int first) {
+  const std::uint64_t every_second = std::uint64_t{0x5555555555555555} << first;
   for (int x = 0; x + 1 < extent_.nx; x += cells_at_once) {
-    const int count = std::min(cells_at_once, extent_.nx - 1 - x);
-    const std::size_t here = row + static_cast<std::size_t>(x);
-    if (!any_steep(here, here + 1, count)) continue;
-    for (int k = first; k < count; k += 2) {
-      slide_edge(here + static_cast<std::size_t>(k), here + static_cast<std::size_t>(k) + 1);
+    std::uint8_t& flag = steep_in_row_[block(x, y)];
+    if (flag == 0) continue;
+    const std::size_t here = index(x, y);
+    std::uint64_t steep = steep_edges(here, here + 1, std::min(cells_at_once, extent_.nx - 1 - x));
+    if (steep == 0) flag = 0;
+    for (steep &= every_second; steep != 0; steep &= steep - 1) {
+      const int from = x + __builtin_ctzll(steep);
+      slide_edge(from, y, from + 1, y);
     }
   }
 }
 
-void SnowMachine::slide_between_rows(std::size_t a, std::size_t b) {
+/// The edges between a row and the next one.
+void SnowMachine::slide_to_next(int y) {
+  const int next = y + 1 < extent_.ny ? y + 1 : 0;
   for (int x = 0; x < extent_.nx; x += cells_at_once) {
-    const int count = std::min(cells_at_once, extent_.nx - x);
-    const auto start = static_cast<std::size_t>(x);
-    if (!any_steep(a + start, b + start, count)) continue;
-    for (std::size_t k = start; k < start + static_cast<std::size_t>(count); ++k) slide_edge(a + k, b + k);
+    std::uint8_t& flag = steep_to_next_[block(x, y)];
+    if (flag == 0) continue;
+    std::uint64_t steep = steep_edges(index(x, y), index(x, next), std::min(cells_at_once, extent_.nx - x));
+    if (steep == 0) flag = 0;
+    for (; steep != 0; steep &= steep - 1) {
+      const int from = x + __builtin_ctzll(steep);
+      slide_edge(from, y, from, next);
+    }
   }
 }
 
-bool SnowMachine::any_steep(std::size_t a, std::size_t b, int count) const {
+std::uint64_t SnowMachine::steep_edges(std::size_t a, std::size_t b, int count) const {
   const std::int32_t* ground = relief_ ? bedrock_ : nullptr;
   const auto at = [ground](std::size_t cell) { return ground != nullptr ? ground + cell : nullptr; };
-  return snow_kernels(instructions_).any_steep(at(a), mobile_ + a, at(b), mobile_ + b, count, law_->standing);
+  return snow_kernels(instructions_).find_steep(at(a), mobile_ + a, at(b), mobile_ + b, count, law_->standing);
 }
 
-void SnowMachine::slide_edge(std::size_t a, std::size_t b) {
+void SnowMachine::slide_edge(int x, int y, int other_x, int other_y) {
+  const std::size_t a = index(x, y);
+  const std::size_t b = index(other_x, other_y);
   const std::int32_t difference = surface(a) - surface(b);
   if (difference <= law_->standing && -difference <= law_->standing) return;
   const std::size_t from = difference > 0 ? a : b;
@@ -316,6 +412,8 @@ void SnowMachine::slide_edge(std::size_t a, std::size_t b) {
   ++mobile_[to];
   ++layers_->loose[to];
   layers_->landed[to] = law_->now;
+  mark_steep(x, y);
+  mark_steep(other_x, other_y);
 }
 
 // --- rest ---

@@ -68,33 +68,44 @@ void SnowStrip::for_cells(int begin, int end, const Visit& visit) const {
   }
 }
 
-/// Gives each stretch of neighbours of the grid's cells to a kernel.
+/// Gives all cells of the grid to a kernel, those together that lie side by side in the strip.
 void SnowStrip::for_stretches(void (*kernel)(const SnowStretch& stretch)) {
   const WindFrame& frame = plan_.frame;
-  const auto hand_over = [&](int row, int line, int count, std::ptrdiff_t step) {
-    const std::size_t cell = frame.cell(column(row, line), row);
+  const auto stretch = [&](int row, int line, int count, std::size_t cell) {
     const std::size_t here = at(row, line);
-    kernel({plan_.law, count, static_cast<int>(step), plan_.mobile + cell, plan_.loose + cell, plan_.landed + cell,
-            plan_.chances + cell, plan_.hops + cell, plan_.over + cell, cells_.data() + here, over_.data() + here});
+    return SnowStretch{.law = plan_.law,
+                       .count = count,
+                       .step = static_cast<int>(next_row_ == 1 ? frame.step_v : frame.step_u),
+                       .mobile = plan_.mobile + cell,
+                       .loose = plan_.loose + cell,
+                       .landed = plan_.landed + cell,
+                       .chances = plan_.chances + cell,
+                       .hops = plan_.hops + cell,
+                       .over = plan_.over + cell,
+                       .cells = cells_.data() + here,
+                       .heights = over_.data() + here};
   };
   if (next_row_ != 1) {
     for (int row = 0; row < frame.length; ++row) {
       const int before_edge = std::clamp(frame.width - offset(row) - first_, 0, lines_);
-      if (before_edge > 0) hand_over(row, 0, before_edge, frame.step_u);
-      if (before_edge < lines_) hand_over(row, before_edge, lines_ - before_edge, frame.step_u);
+      if (before_edge > 0) kernel(stretch(row, 0, before_edge, frame.cell(column(row, 0), row)));
+      if (before_edge == lines_) continue;
+      kernel(stretch(row, before_edge, lines_ - before_edge, frame.cell(column(row, before_edge), row)));
     }
-    return;
-  }
-  // Oblique lines cross the terrain's rows: a part of all lines at a time, so that what they meet is still at hand.
-  const int rows_at_once = plan_.drift == 0 ? frame.length : 64;
-  for (int first = 0; first < frame.length; first += rows_at_once) {
-    const int end = std::min(first + rows_at_once, frame.length);
-    for (int line = 0; line < lines_; ++line) {
-      for (int row = first; row < end;) {
-        int next = row + 1;
-        while (next < end && offset(next) == offset(row)) ++next;
-        hand_over(row, line, next - row, frame.step_v);
-        row = next;
+  } else if (plan_.drift == 0) {
+    for (int line = 0; line < lines_; ++line) kernel(stretch(0, line, frame.length, frame.cell(column(0, line), 0)));
+  } else {
+    // Oblique lines cross the terrain's rows: a part of all lines at a time, so that what they meet is still at hand.
+    std::int32_t places[snow_window];
+    for (int first = 0; first < frame.length; first += snow_window) {
+      const int count = std::min(snow_window, frame.length - first);
+      for (int line = 0; line < lines_; ++line) {
+        for (int k = 0; k < count; ++k) {
+          places[k] = static_cast<std::int32_t>(frame.cell(column(first + k, line), first + k));
+        }
+        SnowStretch scattered = stretch(first, line, count, 0);
+        scattered.places = places;
+        kernel(scattered);
       }
     }
   }
@@ -112,6 +123,14 @@ void SnowStrip::lay_out() {
   cells_.resize(cells);
   over_.resize(cells);
   ground_.resize(plan_.relief ? cells : 0);
+}
+
+void SnowStrip::swap_memory(SnowStrip& other) {
+  cells_.swap(other.cells_);
+  over_.swap(other.over_);
+  ground_.swap(other.ground_);
+  loads_.swap(other.loads_);
+  falls_.swap(other.falls_);
 }
 
 void SnowStrip::load(const SnowFlightPlan& plan, int first, int lines) {
@@ -230,8 +249,8 @@ SnowLandings SnowStrip::landings_of(const SnowSweep& sweep) {
   return landings;
 }
 
-/// Lifts slabs from a block of rows. A block's slabs may lift before any comes down in it: neither changes what the other
-/// reads.
+/// Lifts slabs from a block of rows. A block's slabs may lift before any comes down in it: neither changes what the
+/// other reads.
 void SnowStrip::lift(int begin, int end, const SnowSweep& sweep, const std::uint64_t* row_words, std::uint64_t crossing,
                      SnowAir& air) {
   SnowPolls polls;
@@ -293,7 +312,8 @@ void SnowStrip::take_all(int line, int first, const Visit& visit) {
 
 // --- open edges ---
 
-/// The line that stands in column 0 from this row on, numbered from the strip's first; beyond the strip where none does.
+/// The line that stands in column 0 from this row on, numbered from the strip's first; beyond the strip where none
+/// does.
 int SnowStrip::entering_line(int row) const {
   return offset(row) == offset(row - 1) ? snow_lines : wrap(-offset(row) - first_, plan_.frame.width);
 }

@@ -67,6 +67,8 @@ class SnowStrip {
 
   /// Takes its lines' part of the terrain. `first`: number of its first line.
   void load(const SnowFlightPlan& plan, int first, int lines);
+  /// Takes over the memory of a strip that is stored, or not yet loaded.
+  void swap_memory(SnowStrip& other);
   /// One sub-sweep. On a torus what is in the air at the end is added to carried().
   void sweep(const SnowSweep& sweep);
   std::vector<Carried>& carried() { return carried_; }
@@ -130,7 +132,7 @@ class SnowStrip {
   int next_load_ = 0;                     ///< from a load to that of the next line
   AlignedVector<std::uint64_t> loads_;    ///< SnowAir
   AlignedVector<std::uint64_t> falls_;
-  std::vector<LateLift> late_;            ///< of the window under way, over open edges
+  std::vector<LateLift> late_;  ///< of the window under way, over open edges
   std::vector<Carried> carried_;
 };
 
