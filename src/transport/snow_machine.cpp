@@ -252,9 +252,12 @@ void SnowMachine::for_tile(int begin, int end, int lines, const ShadowTile& tile
     return;
   }
   for (int line = 0; line < lines; ++line) {
+    int edge = frame_.length - wrap(begin, frame_.length);
     for (int k = 0; k < end - begin;) {
+      if (k == edge) edge += frame_.length;
+      const int last = std::min(edge, end - begin);
       int next = k + 1;
-      while (next < end - begin && tile.first_u[next] == tile.first_u[k] && (begin + next) % frame_.length != 0) ++next;
+      while (next < last && tile.first_u[next] == tile.first_u[k]) ++next;
       visit(k, line, frame_.step_v, cell_of(k, line), next - k);
       k = next;
     }
