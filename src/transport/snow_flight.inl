@@ -92,14 +92,13 @@ void draw_rows(std::uint32_t sweep_key, int first_row, std::uint64_t* __restrict
   ERG_EACH(i, snow_window) row_words[i] = flight_row_word(sweep_key, first_row + i);
 }
 
-void lift(const SnowPolls& polls, const SnowLines& lines, SnowLifts& lifts) {
-  alignas(64) std::int32_t row[snow_lines];
-  alignas(64) std::uint32_t lifted[snow_lines];
-  alignas(64) std::uint32_t hops[snow_lines] = {};
-  alignas(64) std::int32_t run[snow_lines] = {};
+/// Which lines lift a slab, and from which row of the block; those beyond the last line never do.
+void poll(const SnowPolls& polls, const SnowLines& lines, std::int32_t* __restrict row,
+          std::uint32_t* __restrict lifted) {
   const std::uint32_t* __restrict polled_row = polls.polled_row;
-  SnowCell* const cells = lines.cells + std::ptrdiff_t{polls.first_row} * lines.next_row;
-  const auto* __restrict words = reinterpret_cast<const std::uint32_t*>(cells);
+  // A cell's words, of which the first two are asked for.
+  const auto* __restrict words =
+      reinterpret_cast<const std::uint32_t*>(lines.cells + std::ptrdiff_t{polls.first_row} * lines.next_row);
   const std::uint32_t key = polls.key + static_cast<std::uint32_t>(lines.first_line) * 0x9e3779b9u;
   const std::uint32_t chance_key = polls.chance_key;
   const std::int32_t rows = polls.rows;
@@ -116,40 +115,69 @@ void lift(const SnowPolls& polls, const SnowLines& lines, SnowLifts& lifts) {
     row[i] = at;
     lifted[i] = (polled < rows ? 1 : 0) & (i < count_lines ? 1 : 0) & lets_go;
   }
+}
+
+void lift(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, SnowLifts& lifts) {
+  alignas(64) std::int32_t row[snow_lines];
+  alignas(64) std::uint32_t lifted[snow_lines];
+  alignas(64) std::uint32_t hops[snow_lines];
+  alignas(64) std::int32_t run[snow_lines];
+  poll(polls, lines, row, lifted);
   int count = 0;
   for (int i = 0; i < snow_lines; ++i) {
     lifts.line[count] = i;
     count += static_cast<int>(lifted[i]);
   }
-  lifts.count = count;
+  SnowCell* const cells = lines.cells + std::ptrdiff_t{polls.first_row} * lines.next_row;
   for (int k = 0; k < count; ++k) {
     const int line = lifts.line[k];
-    SnowCell& cell = cells[row[line] * next_row + line * next_line];
+    SnowCell& cell = cells[row[line] * lines.next_row + line * lines.next_line];
     cell.snow = without_slab(cell.snow);
     lifts.row[k] = row[line];
     hops[k] = cell.hops;
     run[k] = cell.run;
   }
+  for (int k = count; (k & (side_by_side - 1)) != 0; ++k) lifts.row[k] = 0, hops[k] = 0, run[k] = 0, lifts.line[k] = 0;
+  lifts.count = count;
+  std::int32_t rows_flown = 0;
   const std::uint64_t* __restrict row_words = polls.row_words;
+  const auto first_line = static_cast<std::uint64_t>(lines.first_line);
+  const std::int32_t first_row = polls.first_row;
+  const std::int32_t next_line = air.next_line;
+  const std::int32_t windows = air.windows - 1;
   for (int first = 0; first < count; first += side_by_side) {
     const std::int32_t* __restrict line = lifts.line + first;
     std::int32_t* __restrict from = lifts.row + first;
     std::int32_t* __restrict fall = lifts.fall + first;
-    std::uint32_t* __restrict share = lifts.flown + first;
+    std::int32_t* __restrict place = lifts.place + first;
+    std::int32_t* __restrict window = lifts.window + first;
+    std::uint64_t* __restrict load = lifts.load + first;
+    std::uint64_t* __restrict bit = lifts.bit + first;
+    const std::uint32_t* __restrict hop = hops + first;
+    const std::int32_t* __restrict most = run + first;
     alignas(64) std::uint64_t word[side_by_side];
+    alignas(64) std::uint32_t share[side_by_side];
+    alignas(64) std::uint32_t shift[side_by_side];
+    ERG_EACH(k, side_by_side) word[k] = mix64(row_words[from[k]] + first_line + static_cast<std::uint64_t>(line[k]));
     ERG_EACH(k, side_by_side) {
-      from[k] &= snow_window - 1;  // beyond the last one stand other numbers
-      word[k] = row_words[from[k]] + static_cast<std::uint64_t>(lines.first_line + line[k]);
-    }
-    ERG_EACH(k, side_by_side) word[k] = mix64(word[k]);
-    ERG_EACH(k, side_by_side) {
-      const int whole = snow_hop_rows(hops[first + k], static_cast<std::uint32_t>(word[k]));
-      const int flown = whole < run[first + k] ? whole : run[first + k];
-      from[k] += polls.first_row;
-      fall[k] = from[k] + flown;
+      const std::int32_t whole = snow_hop_rows(hop[k], static_cast<std::uint32_t>(word[k]));
+      const std::int32_t flown = whole < most[k] ? whole : most[k];
+      from[k] += first_row;
+      const std::int32_t to = from[k] + flown;
+      const std::int32_t to_window = to / snow_window & windows;
+      fall[k] = to;
       share[k] = share_of_hop(flown, whole);
+      shift[k] = static_cast<std::uint32_t>(to & (snow_window - 1));
+      place[k] = line[k] * next_line + to_window * snow_window + (to & (snow_window - 1));
+      window[k] = to_window * snow_lines + line[k];
+      rows_flown += flown;
+    }
+    ERG_EACH(k, side_by_side) {
+      load[k] = one_slab + share[k];
+      bit[k] = std::uint64_t{1} << shift[k];
     }
   }
+  lifts.rows_flown = rows_flown;
 }
 
 /// Puts a slab into the air, or where `flies` is 0 does nothing.
@@ -162,13 +190,13 @@ void lift(const SnowPolls& polls, const SnowLines& lines, SnowLifts& lifts) {
 }
 
 void launch(const SnowLifts& lifts, SnowAir& air) {
-  std::int64_t rows_flown = 0;
-  const SnowAir here = air;
+  std::uint64_t* const loads = air.loads;
+  std::uint64_t* const falls = air.falls;
   for (int k = 0; k < lifts.count; ++k) {
-    send(here, 1, lifts.line[k], lifts.fall[k], lifts.flown[k]);
-    rows_flown += lifts.fall[k] - lifts.row[k];
+    loads[lifts.place[k]] += lifts.load[k];
+    falls[lifts.window[k]] |= lifts.bit[k];
   }
-  air.rows_flown += rows_flown;
+  air.rows_flown += lifts.rows_flown;
 }
 
 // --- coming down ---
@@ -183,9 +211,8 @@ struct Arrivals {
   alignas(64) std::int32_t cell[snow_lines];  // of the strip
   alignas(64) std::uint64_t load[snow_lines];
   alignas(64) std::uint64_t word[snow_lines];
+  alignas(64) SnowCell found[snow_lines];  // the cells before
   alignas(64) std::uint32_t snow[snow_lines];
-  alignas(64) std::uint32_t hops[snow_lines];
-  alignas(64) std::int32_t run[snow_lines];
   alignas(64) std::uint32_t rest[snow_lines];   // chance of 65536 to stay
   alignas(64) std::uint32_t stays[snow_lines];  // slabs
   // Where the first slab flies on: its next load, and which bit says so. Both 0 where it does not.
@@ -217,9 +244,7 @@ void take_first(const SnowLines& lines, int first_row, std::uint64_t within, con
     all.row[k] = row;
     all.cell[k] = cell;
     all.load[k] = load;
-    all.snow[k] = here.snow;
-    all.hops[k] = here.hops;
-    all.run[k] = here.run;
+    all.found[k] = here;
     all.hard[hards] = k;
     hards += (here.snow & 0xffff) == 0 && here.snow != 0 ? 1 : 0;
     all.crowd[crowds] = k;
@@ -247,9 +272,9 @@ void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_wo
     std::uint64_t* __restrict word = all.word + first;
     const std::int32_t* __restrict line = all.line + first;
     const std::int32_t* __restrict row = all.row + first;
-    const std::uint32_t* __restrict snow = all.snow + first;
-    const std::uint32_t* __restrict hops = all.hops + first;
-    const std::int32_t* __restrict run = all.run + first;
+    // A cell's four words: snow, chances, hops, and rows that are free with what has landed.
+    const auto* __restrict found = reinterpret_cast<const std::uint32_t*>(all.found + first);
+    std::uint32_t* __restrict snow_kept = all.snow + first;
     std::uint32_t* __restrict chance = all.rest + first;
     std::uint32_t* __restrict stays = all.stays + first;
     std::int32_t* __restrict place = all.place + first;
@@ -264,17 +289,21 @@ void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_wo
     ERG_EACH(k, side_by_side) {
       const auto low = static_cast<std::uint32_t>(word[k]);
       const auto high = static_cast<std::uint32_t>(word[k] >> 32);
-      const std::uint32_t on_bare = snow[k] >> 16 != 0 ? rest_hard : rest_ground;
-      const std::uint32_t on_snow = (snow[k] & 0xffff) != 0 ? rest_loose : on_bare;
+      const std::uint32_t snow = found[4 * k];
+      const std::uint32_t hops = found[4 * k + 2];
+      const auto run = static_cast<std::int32_t>(found[4 * k + 3] & 0x7fff);
+      const std::uint32_t on_bare = snow >> 16 != 0 ? rest_hard : rest_ground;
+      const std::uint32_t on_snow = (snow & 0xffff) != 0 ? rest_loose : on_bare;
       const std::uint32_t in_light = on_snow > least_rest ? on_snow : least_rest;
-      const std::uint32_t rest = mean_hop_64(hops[k]) == 0 ? always : in_light;
+      const std::uint32_t rest = mean_hop_64(hops) == 0 ? always : in_light;
       const std::uint32_t stay = (low & 0xffff) < rest ? 1 : 0;
       const std::uint32_t off = (low >> 16) < suspension ? 1 : 0;
       const std::uint32_t fly = (stay | off) ^ 1;
-      const std::int32_t whole = snow_hop_rows(hops[k], high);
-      const std::int32_t flown = whole < run[k] ? whole : run[k];
+      const std::int32_t whole = snow_hop_rows(hops, high);
+      const std::int32_t flown = whole < run ? whole : run;
       const std::int32_t to = first_row + row[k] + flown;
       const std::int32_t to_window = to / snow_window & windows;
+      snow_kept[k] = snow;
       chance[k] = rest;
       stays[k] = stay;
       flies[k] = fly;
@@ -303,8 +332,8 @@ void decide_others(const SnowLandings& landings, int first_row, Arrivals& all, i
     const std::uint32_t stay = (word & 0xffff) < all.rest[k] ? 1 : 0;
     const std::uint32_t off = (word >> 16 & 0xffff) < landings.suspension ? 1 : 0;
     const std::uint32_t flies = (stay | off) ^ 1;
-    const int whole = snow_hop_rows(all.hops[k], static_cast<std::uint32_t>(word >> 32));
-    const int flown = whole < all.run[k] ? whole : all.run[k];
+    const int whole = snow_hop_rows(all.found[k].hops, static_cast<std::uint32_t>(word >> 32));
+    const int flown = whole < all.found[k].run ? whole : all.found[k].run;
     send(air, flies, all.line[k], first_row + all.row[k] + flown, share_of_hop(flown, whole));
     all.stays[k] += stay;
     air.rows_flown += flown & -static_cast<int>(flies);
@@ -337,7 +366,7 @@ void strike(const SnowLandings& landings, int first_row, Arrivals& all, int k) {
   const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface - upwind);
   const auto slabs = static_cast<std::uint32_t>(all.load[k] / one_slab);
   const float flown = static_cast<float>(all.load[k] % one_slab) / static_cast<float>(slabs * whole_hop);
-  const float power = abrasion_of(all.hops[k]) * impact_share(*landings.law, rise) * flown;
+  const float power = abrasion_of(all.found[k].hops) * impact_share(*landings.law, rise) * flown;
   if (power <= 0) return;
   std::uint32_t word = mix32(static_cast<std::uint32_t>(all.word[k] >> 32));
   std::int32_t freed = 0;
@@ -359,7 +388,7 @@ void land(const SnowLandings& landings, const std::uint64_t* row_words, int firs
   const std::uint64_t within = rows < snow_window ? (std::uint64_t{1} << rows) - 1 : ~std::uint64_t{0};
   std::int32_t active[snow_lines + 1];
   Arrivals all;
-  for (int k = 0; k < snow_lines; ++k) all.row[k] = all.run[k] = 0, all.hops[k] = 0;
+  for (int k = 0; k < snow_lines; ++k) all.row[k] = all.found[k].run = 0, all.found[k].hops = 0;
   for (int line = 0; line < lines.lines; ++line) {
     active[all.count] = line;
     all.count += (falls[line] & within) != 0 && (among >> line & 1) != 0 ? 1 : 0;

@@ -199,14 +199,18 @@ void add_row(const Number* __restrict entering, const Number* __restrict leaving
 /// Sums of 1, 2, 4 ... neighbours, each from the last; those that together make up the window are added.
 template <typename Sum>
 void add_up(Sum* __restrict columns, Sum* __restrict sums, int count, int window) {
-  ERG_EACH(i, count) sums[i] = 0;
   int done = 0;
   for (int size = 1; size <= window; size *= 2) {
     if ((window & size) != 0) {
       const Sum* __restrict from = columns + done;
-      ERG_EACH(i, count) sums[i] += from[i];
+      if (done == 0) {
+        ERG_EACH(i, count) sums[i] = from[i];
+      } else {
+        ERG_EACH(i, count) sums[i] += from[i];
+      }
       done += size;
     }
+    if (done == window) return;
     const int left = count + window - 2 * size;
     const Sum* ahead = columns + size;
     ERG_EACH(i, left) columns[i] += ahead[i];

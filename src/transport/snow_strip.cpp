@@ -262,7 +262,7 @@ void SnowStrip::lift(int begin, int end, const SnowSweep& sweep, const std::uint
   polls.polled_row = sweep.polled_row;
   polls.row_words = row_words;
   SnowLifts lifts;
-  plan_.kernels->lift(polls, lines_of(), lifts);
+  plan_.kernels->lift(polls, lines_of(), air, lifts);
   counts_.lifts += lifts.count;
   for (int k = 0; plan_.lift_counts != nullptr && k < lifts.count; ++k) {
     ++(*plan_.lift_counts)[plan_.frame.cell(column(lifts.row[k], lifts.line[k]), lifts.row[k])];
@@ -332,13 +332,14 @@ void SnowStrip::hold_back(std::uint64_t crossing, SnowLifts& lifts) {
   int count = 0;
   for (int k = 0; k < lifts.count; ++k) {
     if ((crossing & bit(lifts.line[k])) != 0) {
-      late_.push_back({lifts.line[k], lifts.row[k], lifts.fall[k], lifts.flown[k]});
+      late_.push_back({lifts.line[k], lifts.row[k], lifts.fall[k], lifts.load[k]});
+      lifts.rows_flown -= lifts.fall[k] - lifts.row[k];
       continue;
     }
-    lifts.line[count] = lifts.line[k];
-    lifts.row[count] = lifts.row[k];
-    lifts.fall[count] = lifts.fall[k];
-    lifts.flown[count] = lifts.flown[k];
+    lifts.place[count] = lifts.place[k];
+    lifts.window[count] = lifts.window[k];
+    lifts.load[count] = lifts.load[k];
+    lifts.bit[count] = lifts.bit[k];
     ++count;
   }
   lifts.count = count;
@@ -353,7 +354,7 @@ void SnowStrip::cross_open_side(const SnowLandings& landings, const std::uint64_
       while (next < end && entering_line(next) != line) ++next;
       for (const LateLift& slab : late_) {
         if (slab.line != line || slab.row < first || slab.row >= next) continue;
-        receive(line, slab.fall, one_slab + slab.flown);
+        receive(line, slab.fall, slab.load);
         air.rows_flown += slab.fall - slab.row;
       }
       plan_.kernels->land(landings, row_words, begin, next, bit(line), air);

@@ -84,7 +84,7 @@ class SnowStrip {
     int line;
     int row;
     int fall;
-    std::uint32_t flown;
+    std::uint64_t load;
   };
 
   template <typename Visit>

@@ -126,15 +126,6 @@ struct SnowPolls {
   const std::uint64_t* row_words = nullptr;   ///< flight_row_word of each row
 };
 
-/// Slabs that lift from a block, each from a line of its own.
-struct SnowLifts {
-  int count = 0;
-  alignas(64) std::int32_t line[snow_lines + 1];
-  alignas(64) std::int32_t row[snow_lines];     ///< that they lift from
-  alignas(64) std::int32_t fall[snow_lines];    ///< row where they come down
-  alignas(64) std::uint32_t flown[snow_lines];  ///< share of the hop that they fly
-};
-
 /// Slabs in the air, in the rows where they will come down. Rows are a ring of whole windows.
 struct SnowAir {
   std::uint64_t* loads = nullptr;  ///< for each line and row: slabs, and in the lower half the shares of hops they flew
@@ -143,6 +134,19 @@ struct SnowAir {
   int next_line = 0;               ///< from a load to that of the next line
   std::int64_t rows_flown = 0;
   std::int64_t carried_off = 0;
+};
+/// Slabs that lift from a block, each from a line of its own.
+struct SnowLifts {
+  int count = 0;
+  std::int64_t rows_flown = 0;
+  alignas(64) std::int32_t line[snow_lines + 1];
+  alignas(64) std::int32_t row[snow_lines];   ///< that they lift from
+  alignas(64) std::int32_t fall[snow_lines];  ///< row where they come down
+  // What they add in SnowAir.
+  alignas(64) std::int32_t place[snow_lines];   ///< of the load
+  alignas(64) std::int32_t window[snow_lines];  ///< of the bit, with the line
+  alignas(64) std::uint64_t load[snow_lines];
+  alignas(64) std::uint64_t bit[snow_lines];
 };
 inline constexpr std::uint64_t one_slab = std::uint64_t{1} << 32;
 inline constexpr std::uint32_t whole_hop = 256;  ///< share of a hop that is flown
@@ -190,7 +194,7 @@ struct SnowKernels {
   std::uint32_t (*weather)(const SnowLaw& law, const SnowWeatherRow& row);
   void (*rest)(const SnowLaw& law, const SnowRestRow& row);
   /// Finds the slabs that lift from a block, and takes them off their cells.
-  void (*lift)(const SnowPolls& polls, const SnowLines& lines, SnowLifts& lifts);
+  void (*lift)(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, SnowLifts& lifts);
   /// Puts them into the air.
   void (*launch)(const SnowLifts& lifts, SnowAir& air);
   /// Brings down what comes down in the rows of a window from `first_row` to before `end`, in the lines whose bits are
