@@ -27,23 +27,8 @@ template <int step>
   ERG_EACH(i, stretch.count) heights[i] = over[i * step];
 }
 
-/// The same where neighbours in the strip lie anywhere.
-void take_scattered(const SnowStretch& stretch) {
-  const std::int32_t* __restrict places = stretch.places;
-  SnowCell* __restrict cells = stretch.cells;
-  std::int16_t* __restrict heights = stretch.heights;
-  for (int i = 0; i < stretch.count; ++i) {
-    const std::int32_t place = places[i];
-    cells[i] = {snow_word(stretch.loose[place], stretch.mobile[place]), stretch.chances[place], stretch.hops[place], 0,
-                0};
-    heights[i] = stretch.over[place];
-  }
-}
-
 void take_snow(const SnowStretch& stretch) {
-  if (stretch.places != nullptr) {
-    take_scattered(stretch);
-  } else if (stretch.step == 1) {
+  if (stretch.step == 1) {
     take_in_order<1>(stretch);
   } else {
     take_in_order<-1>(stretch);
@@ -65,21 +50,8 @@ template <int step>
   }
 }
 
-void give_scattered(const SnowStretch& stretch) {
-  const std::int32_t* __restrict places = stretch.places;
-  const SnowCell* __restrict cells = stretch.cells;
-  for (int i = 0; i < stretch.count; ++i) {
-    const std::int32_t place = places[i];
-    stretch.mobile[place] = mobile_of(cells[i].snow);
-    stretch.loose[place] = loose_of(cells[i].snow);
-    if (cells[i].landed != 0) stretch.landed[place] = stretch.law->now;
-  }
-}
-
 void give_snow(const SnowStretch& stretch) {
-  if (stretch.places != nullptr) {
-    give_scattered(stretch);
-  } else if (stretch.step == 1) {
+  if (stretch.step == 1) {
     give_in_order<1>(stretch);
   } else {
     give_in_order<-1>(stretch);

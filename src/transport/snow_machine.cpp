@@ -27,7 +27,8 @@ constexpr std::int32_t no_shadow = -(1 << 24);  // lower than any surface, fixed
 
 /// Rows of lines side by side.
 struct SnowMachine::ShadowTile {
-  int first_u[rows_at_once];  ///< column of the first line
+  int first_u = 0;            ///< column of the first line in the first row
+  int drifted[rows_at_once];  ///< columns since then
   std::uint16_t height[rows_at_once][snow_lines];
   std::uint8_t dark[rows_at_once][snow_lines];
 };
@@ -203,62 +204,64 @@ void SnowMachine::shade_lines(int first, int lines, double shadow_fall) {
   int end = 0;
   for (int begin = start; begin < frame_.length; begin = end) {
     end = std::min({begin + rows_at_once, begin < 0 ? 0 : frame_.length, frame_.length});
-    for (int row = begin; row < end; ++row) {
-      tile.first_u[row - begin] =
-          wrap(static_cast<int>(first + ((row * tangent_24 + (std::int64_t{1} << 23)) >> 24)), frame_.width);
-    }
-    for_tile(begin, end, lines, tile, [&](int k, int line, std::ptrdiff_t next, std::size_t cell, int count) {
+    const auto moved = [&](int row) { return (row * tangent_24 + (std::int64_t{1} << 23)) >> 24; };
+    tile.first_u = wrap(static_cast<int>(first + moved(begin)), frame_.width);
+    for (int row = begin; row < end; ++row) tile.drifted[row - begin] = static_cast<int>(moved(row) - moved(begin));
+    for_tile(begin, end, lines, tile, [&](int k, int line, std::size_t cell, std::ptrdiff_t step, int count) {
       const std::uint16_t* from = height_.data() + cell;
       if (along_x()) {
-        for (int i = 0; i < count; ++i) tile.height[k + i][line] = from[i * next];
+        const int there = line + tile.drifted[k];
+        for (int i = 0; i < count; ++i) tile.height[k + i][there - tile.drifted[k + i]] = from[i * step];
       } else {
-        for (int i = 0; i < count; ++i) tile.height[k][line + i] = from[i * next];
+        for (int i = 0; i < count; ++i) tile.height[k][line + i] = from[i * step];
       }
     });
-    for (int row = begin; row < end; ++row) {
-      const int k = row - begin;
-      if (const int entering = tile.first_u[k] == 0 ? 0 : frame_.width - tile.first_u[k]; open && entering < lines) {
+    for (int k = 0; k < end - begin; ++k) {
+      const int column = (tile.first_u + tile.drifted[k]) % frame_.width;
+      if (const int entering = column == 0 ? 0 : frame_.width - column; open && entering < lines) {
         far[entering] = near[entering] = no_shadow;  // it enters over the side, or begins here
       }
       kernels.shade(
           {lines, fall(shadow_fall / frame_.cosine), fall(shadow_fall), tile.height[k], far, near, tile.dark[k]});
     }
     if (begin < 0) continue;
-    for_tile(begin, end, lines, tile, [&](int k, int line, std::ptrdiff_t next, std::size_t cell, int count) {
+    for_tile(begin, end, lines, tile, [&](int k, int line, std::size_t cell, std::ptrdiff_t step, int count) {
       std::uint8_t* to = dark_.data() + cell;
       if (along_x()) {
-        for (int i = 0; i < count; ++i) to[i * next] = tile.dark[k + i][line];
+        const int there = line + tile.drifted[k];
+        for (int i = 0; i < count; ++i) to[i * step] = tile.dark[k + i][there - tile.drifted[k + i]];
       } else {
-        for (int i = 0; i < count; ++i) to[i * next] = tile.dark[k][line + i];
+        for (int i = 0; i < count; ++i) to[i * step] = tile.dark[k][line + i];
       }
     });
   }
 }
 
-/// Calls visit(row of the tile, line, step, cell of the terrain, count) for each piece of cells that lie in the terrain
-/// one beside another: rows of a line, or lines of a row.
+/// Calls visit(row of the tile, line there, cell of the terrain, step, count) for each piece of cells that lie in the
+/// terrain one beside another: lines of a row, or what lines that drift have of a row of the terrain.
 template <typename Visit>
 void SnowMachine::for_tile(int begin, int end, int lines, const ShadowTile& tile, const Visit& visit) const {
-  const auto cell_of = [&](int k, int line) {
-    const int u = tile.first_u[k] + line;
-    return frame_.cell(u < frame_.width ? u : u - frame_.width, wrap(begin + k, frame_.length));
+  const auto piece = [&](int k, int line, std::ptrdiff_t step, int count) {
+    const int u = (tile.first_u + tile.drifted[k] + line) % frame_.width;
+    if (count > 0) visit(k, line, frame_.cell(u, wrap(begin + k, frame_.length)), step, count);
   };
+  const int rows = end - begin;
   if (!along_x()) {
-    for (int k = 0; k < end - begin; ++k) {
-      const int before_edge = std::min(lines, frame_.width - tile.first_u[k]);
-      visit(k, 0, frame_.step_u, cell_of(k, 0), before_edge);
-      if (before_edge < lines) visit(k, before_edge, frame_.step_u, cell_of(k, before_edge), lines - before_edge);
+    for (int k = 0; k < rows; ++k) {
+      const int before_edge = std::min(lines, frame_.width - (tile.first_u + tile.drifted[k]) % frame_.width);
+      piece(k, 0, frame_.step_u, before_edge);
+      piece(k, before_edge, frame_.step_u, lines - before_edge);
     }
     return;
   }
-  for (int line = 0; line < lines; ++line) {
-    int edge = frame_.length - wrap(begin, frame_.length);
-    for (int k = 0; k < end - begin;) {
-      if (k == edge) edge += frame_.length;
-      const int last = std::min(edge, end - begin);
-      int next = k + 1;
-      while (next < last && tile.first_u[next] == tile.first_u[k]) ++next;
-      visit(k, line, frame_.step_v, cell_of(k, line), next - k);
+  int from = 0;
+  int to = 0;
+  for (int first_line = 0; first_line < lines + tile.drifted[rows - 1]; ++first_line) {
+    while (to < rows && first_line >= tile.drifted[to]) ++to;
+    while (first_line - tile.drifted[from] >= lines) ++from;
+    for (int k = from; k < to;) {  // in pieces between torus edges
+      const int next = std::min(to, k + frame_.length - wrap(begin + k, frame_.length));
+      piece(k, first_line - tile.drifted[k], frame_.step_v, next - k);
       k = next;
     }
   }

@@ -68,46 +68,71 @@ void SnowStrip::for_cells(int begin, int end, const Visit& visit) const {
   }
 }
 
-/// Gives all cells of the grid to a kernel, those together that lie side by side in the strip.
-void SnowStrip::for_stretches(void (*kernel)(const SnowStretch& stretch)) {
+/// Neighbours in the terrain from a place on, and where their cells stand in the strip (or on the way there).
+SnowStretch SnowStrip::stretch(int row, int line, int count, SnowCell* cells, std::int16_t* heights) const {
+  const std::size_t cell = plan_.frame.cell(column(row, line), row);
+  return {.law = plan_.law,
+          .count = count,
+          .step = static_cast<int>(next_row_ == 1 ? plan_.frame.step_v : plan_.frame.step_u),
+          .mobile = plan_.mobile + cell,
+          .loose = plan_.loose + cell,
+          .landed = plan_.landed + cell,
+          .chances = plan_.chances + cell,
+          .hops = plan_.hops + cell,
+          .over = plan_.over + cell,
+          .cells = cells,
+          .heights = heights};
+}
+
+/// Gives all cells of the grid to a kernel that takes snow, or gives it back.
+void SnowStrip::exchange(bool takes) {
+  const auto kernel = takes ? plan_.kernels->take_snow : plan_.kernels->give_snow;
   const WindFrame& frame = plan_.frame;
-  const auto stretch = [&](int row, int line, int count, std::size_t cell) {
+  const auto straight = [&](int row, int line, int count) {
     const std::size_t here = at(row, line);
-    return SnowStretch{.law = plan_.law,
-                       .count = count,
-                       .step = static_cast<int>(next_row_ == 1 ? frame.step_v : frame.step_u),
-                       .mobile = plan_.mobile + cell,
-                       .loose = plan_.loose + cell,
-                       .landed = plan_.landed + cell,
-                       .chances = plan_.chances + cell,
-                       .hops = plan_.hops + cell,
-                       .over = plan_.over + cell,
-                       .cells = cells_.data() + here,
-                       .heights = over_.data() + here};
+    if (count > 0) kernel(stretch(row, line, count, cells_.data() + here, over_.data() + here));
   };
   if (next_row_ != 1) {
     for (int row = 0; row < frame.length; ++row) {
       const int before_edge = std::clamp(frame.width - offset(row) - first_, 0, lines_);
-      if (before_edge > 0) kernel(stretch(row, 0, before_edge, frame.cell(column(row, 0), row)));
-      if (before_edge == lines_) continue;
-      kernel(stretch(row, before_edge, lines_ - before_edge, frame.cell(column(row, before_edge), row)));
+      straight(row, 0, before_edge);
+      straight(row, before_edge, lines_ - before_edge);
     }
   } else if (plan_.drift == 0) {
-    for (int line = 0; line < lines_; ++line) kernel(stretch(0, line, frame.length, frame.cell(column(0, line), 0)));
+    for (int line = 0; line < lines_; ++line) straight(0, line, frame.length);
   } else {
-    // Oblique lines cross the terrain's rows: a part of all lines at a time, so that what they meet is still at hand.
-    std::int32_t places[snow_window];
-    for (int first = 0; first < frame.length; first += snow_window) {
-      const int count = std::min(snow_window, frame.length - first);
-      for (int line = 0; line < lines_; ++line) {
-        for (int k = 0; k < count; ++k) {
-          places[k] = static_cast<std::int32_t>(frame.cell(column(first + k, line), first + k));
-        }
-        SnowStretch scattered = stretch(first, line, count, 0);
-        scattered.places = places;
-        kernel(scattered);
+    for (int row = 0; row < frame.length; row += snow_window) {
+      exchange_oblique(row, std::min(row + snow_window, frame.length), takes);
+    }
+  }
+}
+
+/// Oblique lines cross the terrain's rows. Each of these passes through a few lines of the strip, one after another.
+void SnowStrip::exchange_oblique(int begin, int end, bool takes) {
+  int drifted[snow_window] = {};  // columns since the first row
+  for (int row = begin + 1; row < end; ++row) {
+    drifted[row - begin] = drifted[row - begin - 1] + (offset(row) != offset(row - 1) ? 1 : 0);
+  }
+  SnowCell cells[snow_window];
+  std::int16_t heights[snow_window];
+  int from = begin;
+  int to = begin;
+  for (int first_line = 0; first_line < lines_ + drifted[end - 1 - begin]; ++first_line) {
+    const auto line = [&](int row) { return first_line - drifted[row - begin]; };
+    while (to < end && line(to) >= 0) ++to;
+    while (line(from) >= lines_) ++from;
+    const SnowStretch all = stretch(from, line(from), to - from, cells, heights);
+    if (takes) plan_.kernels->take_snow(all);
+    for (int row = from; row < to; ++row) {
+      const std::size_t here = at(row, line(row));
+      if (takes) {
+        cells_[here] = cells[row - from];
+        over_[here] = heights[row - from];
+      } else {
+        cells[row - from] = cells_[here];
       }
     }
+    if (!takes) plan_.kernels->give_snow(all);
   }
 }
 
@@ -143,7 +168,7 @@ void SnowStrip::load(const SnowFlightPlan& plan, int first, int lines) {
   next_load_ = plan.windows * snow_window + 8;
   loads_.assign(static_cast<std::size_t>(next_load_) * snow_lines, 0);
   falls_.assign(static_cast<std::size_t>(plan.windows) * snow_lines, 0);
-  for_stretches(plan.kernels->take_snow);
+  exchange(true);
   std::fill(upwind_, upwind_ + snow_lines, no_surface);
   load_beyond_edge();
   if (plan.relief) find_walls();
@@ -200,7 +225,7 @@ void SnowStrip::find_runs() {
   }
 }
 
-void SnowStrip::store() { for_stretches(plan_.kernels->give_snow); }
+void SnowStrip::store() { exchange(false); }
 
 // --- a sub-sweep ---
 

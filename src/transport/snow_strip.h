@@ -89,7 +89,9 @@ class SnowStrip {
 
   template <typename Visit>
   void for_cells(int begin, int end, const Visit& visit) const;
-  void for_stretches(void (*kernel)(const SnowStretch& stretch));
+  SnowStretch stretch(int row, int line, int count, SnowCell* cells, std::int16_t* heights) const;
+  void exchange(bool takes);
+  void exchange_oblique(int begin, int end, bool takes);
   void lay_out();
   void load_beyond_edge();
   int offset(int row) const { return plan_.offsets[row + 1]; }

@@ -178,7 +178,6 @@ struct SnowStretch {
   const SnowLaw* law = nullptr;
   int count = 0;
   int step = 1;  ///< 1 or -1: from a cell of the strip to the next, in the layers of the terrain
-  const std::int32_t* places = nullptr;  ///< where in the layers each cell lies, if not one beside the other
   std::int32_t* mobile = nullptr;
   std::int32_t* loose = nullptr;
   float* landed = nullptr;
