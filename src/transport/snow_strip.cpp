@@ -101,35 +101,36 @@ void SnowStrip::exchange(bool takes) {
   } else if (plan_.drift == 0) {
     for (int line = 0; line < lines_; ++line) straight(0, line, frame.length);
   } else {
-    for (int row = 0; row < frame.length; row += snow_window) {
-      exchange_oblique(row, std::min(row + snow_window, frame.length), takes);
-    }
+    exchange_oblique(takes);
   }
 }
 
-/// Oblique lines cross the terrain's rows. Each of these passes through a few lines of the strip, one after another.
-void SnowStrip::exchange_oblique(int begin, int end, bool takes) {
-  int drifted[snow_window] = {};  // columns since the first row
-  for (int row = begin + 1; row < end; ++row) {
-    drifted[row - begin] = drifted[row - begin - 1] + (offset(row) != offset(row - 1) ? 1 : 0);
+/// Oblique lines cross the terrain's rows. Each of these passes through the lines of the strip, one after another.
+void SnowStrip::exchange_oblique(bool takes) {
+  const int length = plan_.frame.length;
+  std::vector<int> drifted(static_cast<std::size_t>(length));  // columns since the first row
+  for (int row = 1; row < length; ++row) {
+    const auto here = static_cast<std::size_t>(row);
+    drifted[here] = drifted[here - 1] + (offset(row) != offset(row - 1) ? 1 : 0);
   }
-  SnowCell cells[snow_window];
-  std::int16_t heights[snow_window];
-  int from = begin;
-  int to = begin;
-  for (int first_line = 0; first_line < lines_ + drifted[end - 1 - begin]; ++first_line) {
-    const auto line = [&](int row) { return first_line - drifted[row - begin]; };
-    while (to < end && line(to) >= 0) ++to;
+  std::vector<SnowCell> cells(static_cast<std::size_t>(length));
+  std::vector<std::int16_t> heights(static_cast<std::size_t>(length));
+  int from = 0;
+  int to = 0;
+  for (int first_line = 0; first_line < lines_ + drifted.back(); ++first_line) {
+    const auto line = [&](int row) { return first_line - drifted[static_cast<std::size_t>(row)]; };
+    while (to < length && line(to) >= 0) ++to;
     while (line(from) >= lines_) ++from;
-    const SnowStretch all = stretch(from, line(from), to - from, cells, heights);
+    const SnowStretch all = stretch(from, line(from), to - from, cells.data(), heights.data());
     if (takes) plan_.kernels->take_snow(all);
     for (int row = from; row < to; ++row) {
       const std::size_t here = at(row, line(row));
+      const auto there = static_cast<std::size_t>(row - from);
       if (takes) {
-        cells_[here] = cells[row - from];
-        over_[here] = heights[row - from];
+        cells_[here] = cells[there];
+        over_[here] = heights[there];
       } else {
-        cells[row - from] = cells_[here];
+        cells[there] = cells_[here];
       }
     }
     if (!takes) plan_.kernels->give_snow(all);

@@ -91,7 +91,7 @@ class SnowStrip {
   void for_cells(int begin, int end, const Visit& visit) const;
   SnowStretch stretch(int row, int line, int count, SnowCell* cells, std::int16_t* heights) const;
   void exchange(bool takes);
-  void exchange_oblique(int begin, int end, bool takes);
+  void exchange_oblique(bool takes);
   void lay_out();
   void load_beyond_edge();
   int offset(int row) const { return plan_.offsets[row + 1]; }
