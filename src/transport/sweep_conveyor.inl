@@ -215,7 +215,7 @@ class Conveyor {
     if (most > 2) land_others(arrivals);
     if (most > 0) std::memset(arrivals, 0, static_cast<std::size_t>(lanes_) * sizeof(Lane));
     if (plan_.wall_rows) meet_walls(flown);
-    if (any_leaving_) flight_.launch(row_, flown);
+    if (any_leaving_) flight_.launch(row_, flown, static_cast<std::uint32_t>(most) + 1);
     if (++rows_summed_ == LaneSums<Lane>::rows_before_flush) flush_sums();
   }
 
@@ -384,6 +384,7 @@ class Conveyor {
     }
     std::memset(&sums_, 0, sizeof sums_);
     rows_summed_ = 0;
+    flight_.flush_sums();
   }
 
   static constexpr int prefetch_rows = 6;
