@@ -56,8 +56,9 @@ void Lockstep::take(std::vector<std::unique_ptr<Simulation>> runs) {
 
 void Lockstep::create(const std::vector<Config>& configs) {
   check_together(configs, [](const Config& config) { return config.wind; });
-  // Besides each run there are the state that reset goes back to and the one that is shown.
-  check_memory(configs, 2, free_memory());
+  // Besides each run there are the state that reset goes back to and up to three that are shown: in the window's hands,
+  // published since then, and in the making.
+  check_memory(configs, 4, free_memory());
   std::vector<std::unique_ptr<Simulation>> runs;
   for (const Config& config : configs) runs.push_back(std::make_unique<Simulation>(start_simulation(config)));
   take(std::move(runs));

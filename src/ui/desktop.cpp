@@ -10,7 +10,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "io/image.h"
+#include "io/png.h"
 #include "ui/gui_renderer.h"
 #include "ui/land_view.h"
 #include "ui/panels.h"

@@ -265,6 +265,7 @@ TEST(Grains, KeepingPathsChangesNothing) {
 
 TEST(Grains, PathsAreKeptUnderAnotherConfigToo) {
   Config config("grains");
+  start_as_model(config);
   config.grid.set("nx", std::int64_t{32});
   config.grid.set("ny", std::int64_t{32});
   start_as_model(config);
