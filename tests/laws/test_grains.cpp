@@ -268,7 +268,6 @@ TEST(Grains, PathsAreKeptUnderAnotherConfigToo) {
   start_as_model(config);
   config.grid.set("nx", std::int64_t{32});
   config.grid.set("ny", std::int64_t{32});
-  start_as_model(config);
   Simulation run(config);
   run.keep_paths(10);
   config.parameters.set("splash", 0.5);
