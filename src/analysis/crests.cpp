@@ -22,8 +22,8 @@ Levels crossing_levels(const Grid<double>& heights) {
   const auto cells = static_cast<double>(heights.size());
   for (const double height : heights.cells()) sum += height;
   for (const double height : heights.cells()) squares += (height - sum / cells) * (height - sum / cells);
-  const double half = 0.5 * std::sqrt(squares / cells);
-  return {sum / cells - half, sum / cells + half};
+  const double margin = 0.25 * std::sqrt(squares / cells);
+  return {sum / cells - margin, sum / cells + margin};
 }
 
 /// Between the blocks' middles, by bilinear interpolation on the torus.
