@@ -298,10 +298,14 @@ void SnowSintering::hold_fields(std::vector<Field>& fields) {
 
 void SnowSintering::write_strength(const Terrain& terrain, Grid<float>& values, Executor& executor) const {
   const SnowKernels& kernels = snow_kernels(best_instruction_set());
+  const bool noise = law_.pattern == StrengthPattern::noise || law_.pattern == StrengthPattern::both;
+  const std::size_t points = 2 * static_cast<std::size_t>(law_.noise_columns + 1) * StrengthLattice::layers;
   executor.for_pieces(terrain.ny(), [&](std::int64_t begin, std::int64_t end) {
+    std::vector<float> memory(noise ? points : 0);
+    StrengthLattice lattice{.points = noise ? memory.data() : nullptr};
     for (int y = static_cast<int>(begin); y < end; ++y) {
       const std::size_t row = values.index(0, y);
-      kernels.strength(law_, y, &terrain.mobile()[row], &layers_.loose[row], &values[row], terrain.nx());
+      kernels.strength(law_, {y, terrain.nx(), &terrain.mobile()[row], &layers_.loose[row], &values[row]}, lattice);
     }
   });
 }
@@ -332,7 +336,8 @@ ModelType snow_sintering() {
            .step = "time_step seconds",
            .strength_label = "wind at 10 m, m/s",
            .material = Material::snow,
-           .start = {.cell_size = 0.1, .strength = 11, .sand = 6}},
+           .start = {.cell_size = 0.1, .strength = 11, .sand = 6},
+           .seconds_a_step = "time_step"},
           snow_sintering_parameters(),
           snow_sintering_fields(),
           [](const ParameterValues& values) { return std::make_unique<SnowSintering>(values); },

@@ -19,7 +19,8 @@ StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Ex
   plan_ = plan;
   plan_.kernels = &snow_kernels(instructions);
   plan_.reach = longest_snow_hop(plan.longest_mean_hop);
-  plan_.ring_rows = static_cast<int>(std::bit_ceil(static_cast<unsigned>(plan_.reach + 1)));
+  plan_.windows =
+      static_cast<int>(std::bit_ceil(static_cast<unsigned>((plan_.reach + snow_window - 1) / snow_window + 1)));
   draw_lines();
   draw_sweeps();
   const int width = plan_.frame.width;
@@ -27,6 +28,10 @@ StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Ex
   const auto count = static_cast<std::int64_t>(strips_.size());
   executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      // One strip's memory serves all strips of a thread where it can: it stays in its processor's cache.
+      if (lines_close())
+        strips_[k].swap_memory(
+            strips_[static_cast<std::size_t>(k > static_cast<std::size_t>(begin) ? k - 1 : end - 1)]);
       const int first = static_cast<int>(k) * snow_lines;
       strips_[k].load(plan_, first, std::min(snow_lines, width - first));
       fly_strip(strips_[k]);

@@ -1,4 +1,4 @@
-#include "app/model_bench.h"
+#include "app/grain_bench.h"
 
 #include <algorithm>
 #include <chrono>
@@ -24,7 +24,7 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 class GrainContestant {
  public:
   GrainContestant(const std::string& model, int side, const std::string& executor, int threads)
-      : simulation_(grain_config(model, side, executor, threads)) {
+      : simulation_(bench_config(model, side, {"run.executor=" + executor, "run.threads=" + std::to_string(threads)})) {
     for (int step = 0; step < first_steps; ++step) simulation_.step();
     row_.model = model;
     row_.side = side;
@@ -46,31 +46,19 @@ class GrainContestant {
     row_.grain_steps_per_cpu_second = std::max(row_.grain_steps_per_cpu_second, grain_steps / processor);
   }
 
-  ModelBenchRow row() {
+  GrainBenchRow row() {
     row_.hash = state_hash(simulation_.terrain());
     return row_;
   }
 
  private:
-  static Config grain_config(const std::string& model, int side, const std::string& executor, int threads) {
-    Config config(model);
-    const std::string cells = std::to_string(side);
-    for (const std::string& assignment :
-         {"grid.nx=" + cells, "grid.ny=" + cells, std::string("grid.cell_size=0.01"), std::string("scene.sand=200"),
-          "run.executor=" + executor, "run.threads=" + std::to_string(threads), std::string("run.seed=1")}) {
-      set_from_text(config, assignment);
-    }
-    config.wind = Regime::constant(270, 10);
-    return config;
-  }
-
   Simulation simulation_;
-  ModelBenchRow row_;
+  GrainBenchRow row_;
 };
 
 }  // namespace
 
-std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOptions& options) {
+std::vector<GrainBenchRow> bench_grains(const std::string& model, const BenchOptions& options) {
   const int threads = bench_threads(options);
   const int side = std::min(options.grid, largest_bench_side);
   std::fprintf(stderr, "bench: measuring %s, %d x %d cells\n", model.c_str(), side, side);
@@ -90,16 +78,16 @@ std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOpt
   for (int step = 0; step < measured_steps; ++step) {
     for (const auto& contestant : contest) contestant->measure_step();
   }
-  std::vector<ModelBenchRow> rows;
+  std::vector<GrainBenchRow> rows;
   for (const auto& contestant : contest) rows.push_back(contestant->row());
   return rows;
 }
 
-std::string grains_table(const std::vector<ModelBenchRow>& rows) {
+std::string grains_table(const std::vector<GrainBenchRow>& rows) {
   constexpr double million = 1e6;
   TextTable table;
   table.heading = {"model", "cells", "executor", "threads", "grains", "grain steps", "of a thread's own second"};
-  for (const ModelBenchRow& row : rows) {
+  for (const GrainBenchRow& row : rows) {
     table.rows.push_back({row.model, std::to_string(row.side) + " x " + std::to_string(row.side), row.executor,
                           std::to_string(row.threads), fixed_text(row.polls_per_second / million, 3),
                           fixed_text(row.grain_steps_per_second / million, 1),
