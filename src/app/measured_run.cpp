@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "analysis/crests.h"
 #include "io/provenance.h"
 #include "wind/shadow.h"
 
@@ -50,7 +51,9 @@ RunStatistics MeasuredRun::statistics() {
   numbers.shape = measure(terrain);
   const double fall = simulation_.model().shadow_fall(terrain.cell_size());
   numbers.shadow_fraction = shadow_fraction(shadow_map(terrain, simulation_.last_wind().bearing, fall));
-  numbers.spectrum = measure_spectrum(coarse_surface(terrain, Layer::surface));
+  const CoarseSurface surface = coarse_surface(terrain, Layer::surface);
+  numbers.spectrum = measure_spectrum(surface);
+  numbers.crest_spacing = crest_spacing(surface, simulation_.last_wind().bearing);
   numbers.migration = migration_.velocity().value_or(Shift{});
   numbers.totals = simulation_.totals();
   numbers.readings = simulation_.model().readings();
@@ -100,6 +103,7 @@ std::string statistics_json(Simulation& simulation, const RunStatistics& numbers
   object["migration_x"] = numbers.migration.x;
   object["migration_y"] = numbers.migration.y;
   object["wavelength"] = numbers.spectrum.wavelength;
+  object["crest_spacing"] = numbers.crest_spacing;
   object["crest_bearing"] = numbers.spectrum.crest_bearing;
   object["state_hash"] = hash_text(numbers.hash);
   object["seconds"] = numbers.seconds;

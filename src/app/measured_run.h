@@ -17,6 +17,7 @@ struct RunStatistics {
   Morphometry shape;
   double shadow_fraction = 0;     ///< share of cells in the shadow of the last wind
   SpectrumNumbers spectrum;       ///< of the surface
+  double crest_spacing = 0;       ///< cells, along the last wind; see analysis/crests.h
   Shift migration;                ///< cells a step over the last part of the run; 0 for a flat surface
   double flux = 0;                ///< slabs per step that pass one cell of a line across the wind, mean since step 0
   StepReport totals;              ///< since step 0

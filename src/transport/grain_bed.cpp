@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "transport/shared_work.h"
+
 namespace erg {
 namespace {
 
@@ -105,12 +107,19 @@ void GrainBed::for_edges(const BedEdges& edges, const Act& act) {
   });
 }
 
-/// act(item, tally) for each item; adds up what each thread counts.
+/// act(item, tally) for each item; adds up what each thread counts. Flights differ in length by far, so threads that
+/// are done with theirs help the others.
 template <typename Act>
 void GrainBed::for_tallied(std::int64_t items, const Act& act) {
-  executor_->for_pieces(items, [&, planes = planes_](std::int64_t first, std::int64_t last) {
+  const int members = executor_->threads();
+  SharedWork work(items, members);
+  executor_->for_pieces(members, [&, planes = planes_](std::int64_t first, std::int64_t last) {
     GrainTally tally;
-    for (std::int64_t item = first; item < last; ++item) act(planes, item, tally);
+    for (auto member = static_cast<int>(first); member < last; ++member) {
+      work.take_pieces(member, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t item = begin; item < end; ++item) act(planes, item, tally);
+      });
+    }
     const std::lock_guard lock(mutex_);
     add(tally_, tally);
   });

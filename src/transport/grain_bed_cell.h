@@ -326,8 +326,11 @@ ERG_CELL_RULE bool find_edge(const BedPlanes& bed, const BedEdges& edges, int ou
   const int to_v = v + way_v(edges.way);
   const bool over = to_u < 0 || to_u >= bed.width || to_v >= bed.length;
   if (over && !bed.torus) return false;
+  // One step beyond the edge at most, so no division is needed to come back onto the torus.
+  const int there_u = to_u < 0 ? bed.width - 1 : to_u < bed.width ? to_u : 0;
+  const int there_v = to_v < bed.length ? to_v : 0;
   const std::int64_t here = static_cast<std::int64_t>(v) * bed.width + u;
-  const std::int64_t there = static_cast<std::int64_t>(wrap(to_v, bed.length)) * bed.width + wrap(to_u, bed.width);
+  const std::int64_t there = static_cast<std::int64_t>(there_v) * bed.width + there_u;
   const std::int32_t difference = bed.height(here) - bed.height(there);
   edge = difference >= 0 ? BedEdge{here, here, there, difference} : BedEdge{here, there, here, -difference};
   return true;

@@ -49,6 +49,8 @@ TEST(Run, StatisticsHoldEveryKeyWithItsMeaning) {
   EXPECT_GT(stats.at("migration_x"), 0);
   EXPECT_GE(stats.at("wavelength"), 2);
   EXPECT_LE(stats.at("wavelength"), 48);
+  EXPECT_GT(stats.at("crest_spacing"), 2);
+  EXPECT_LT(stats.at("crest_spacing"), 96);
   EXPECT_GE(stats.at("crest_bearing"), 0);
   EXPECT_LT(stats.at("crest_bearing"), 180);
   EXPECT_TRUE(std::isfinite(stats.at("migration_y").get<double>()));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/crests.h"
 #include "analysis/morphometry.h"
 #include "analysis/spectrum.h"
 #include "grain_world.h"
@@ -38,6 +39,7 @@ TEST(Grains, RipplesGrowAndHurryWithTheWind) {
   breeze.steps(40, {270, 0.2});
   storm.steps(40, {270, 0.5});
   EXPECT_GT(measure_spectrum(storm.surface()).wavelength, 1.3 * measure_spectrum(breeze.surface()).wavelength);
+  EXPECT_GT(crest_spacing(storm.surface(), 270), 1.2 * crest_spacing(breeze.surface(), 270));
   EXPECT_GT(storm.downwind_speed(270), 3 * breeze.downwind_speed(270));
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/crests.h"
 #include "core/random.h"
 
 namespace erg {
@@ -94,6 +95,30 @@ TEST(Spectrum, LargeTerrainsAreAveragedInUnitsOfCells) {
   EXPECT_NEAR(sum / static_cast<double>(coarse.heights.size()), static_cast<double>(terrain.total_mobile()) / 60000,
               1e-9);
   EXPECT_NEAR(measure_spectrum(coarse).wavelength, 50, 0.5);
+}
+
+TEST(Crests, StandAWavelengthApartAlongTheWind) {
+  EXPECT_NEAR(crest_spacing(waves({128, 96}, 8, 0), 270), 16, 0.1);
+  EXPECT_NEAR(crest_spacing(waves({128, 96}, 8, 0), 90), 16, 0.1);
+  EXPECT_NEAR(crest_spacing(waves({128, 96}, 0, 6), 180), 16, 0.1);
+  EXPECT_NEAR(crest_spacing(waves({90, 90}, 6, 6), 225), 15 / std::sqrt(2), 0.1);
+  // Along an oblique wind the same crests are farther apart; along the crests there are none.
+  EXPECT_NEAR(crest_spacing(waves({128, 96}, 8, 0), 210), 32, 0.2);
+  EXPECT_EQ(crest_spacing(waves({128, 96}, 8, 0), 180), 0);
+  EXPECT_EQ(crest_spacing({Grid<double>({31, 17}, 3.3), 1, 1, true}, 270), 0);
+}
+
+TEST(Crests, AreCountedAmongRubbleAndOnOpenOrAveragedGround) {
+  CoarseSurface rubble = waves({256, 32}, 16, 0);
+  for (std::size_t cell = 0; cell < rubble.heights.size(); ++cell) {
+    rubble.heights[cell] += 4 * (random_unit({1, 0}, 0, cell, 0) - 0.5);
+  }
+  EXPECT_NEAR(crest_spacing(rubble, 270), 16, 0.4);
+  EXPECT_LT(measure_spectrum(rubble).wavelength, 14);  // which the short waves pull down
+  EXPECT_NEAR(crest_spacing(waves({200, 40}, 9.5, 0, false), 270), 200 / 9.5, 0.3);
+  CoarseSurface blocks = waves({128, 64}, 8, 0);
+  blocks.cells_x = 2.5;  // a block is as long as two and a half cells
+  EXPECT_NEAR(crest_spacing(blocks, 270), 40, 0.5);
 }
 
 }  // namespace
