@@ -28,7 +28,7 @@ void raise(std::atomic<Number>& most, Number value) {
 
 }  // namespace
 
-StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, Radii radii, double shadow_fall,
+StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, SnowRadii radii, double shadow_fall,
                              const WindNow& wind, StepKey key, Executor& executor) {
   law_ = &law;
   executor_ = &executor;

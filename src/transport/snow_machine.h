@@ -17,6 +17,7 @@
 #include "transport/executor.h"
 #include "transport/snow_cell.h"
 #include "transport/snow_flights.h"
+#include "transport/snow_step.h"
 #include "wind/wind_frame.h"
 
 namespace erg {
@@ -34,13 +35,8 @@ class SnowMachine {
  public:
   explicit SnowMachine(InstructionSet instructions = best_instruction_set()) : instructions_(instructions) {}
 
-  /// Cells from the middle to the edge of the boxes over which means are taken.
-  struct Radii {
-    int smooth = 3;   ///< for the smoothed surface
-    int around = 10;  ///< for its surroundings
-  };
   /// One time step. `shadow_fall`: slabs a cell. Throws InputError if the snow has grown too high to be counted.
-  StepReport step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, Radii radii, double shadow_fall,
+  StepReport step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, SnowRadii radii, double shadow_fall,
                   const WindNow& wind, StepKey key, Executor& executor);
 
  private:
@@ -91,7 +87,7 @@ class SnowMachine {
   Extent extent_;
   Boundary boundary_ = Boundary::torus;
   double inflow_ = 0;
-  Radii radii_;
+  SnowRadii radii_;
   WindFrame frame_;
   StepKey key_;
   StepReport report_;
