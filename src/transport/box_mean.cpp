@@ -74,15 +74,21 @@ void sum_boxes(Extent extent, Boundary boundary, int radius, const std::vector<N
   });
 }
 
+/// Cells whose numbers a sum adds up, some of them several times if `twice`.
+std::uint64_t cells_of(int radius, bool twice) {
+  const auto side = static_cast<std::uint64_t>(2 * radius + 1);
+  return twice ? side * side * side * side : side * side;
+}
+
 }  // namespace
+
+float box_share(int radius, bool twice) { return static_cast<float>(1 / static_cast<double>(cells_of(radius, twice))); }
 
 void BoxMean::measure(Extent extent, Boundary boundary, int radius, bool twice,
                       const std::vector<std::uint32_t>& numbers, std::uint32_t most, std::vector<float>& means,
                       Executor& executor) {
   const auto width = static_cast<std::size_t>(extent.nx);
-  const std::uint64_t square = static_cast<std::uint64_t>(2 * radius + 1) * static_cast<std::uint64_t>(2 * radius + 1);
-  const std::uint64_t all = twice ? square * square : square;
-  const auto share = static_cast<float>(1 / static_cast<double>(all));
+  const float share = box_share(radius, twice);
   means.resize(extent.cells());
   const auto with = [&](auto& sums) {
     using Sum = typename std::remove_reference_t<decltype(sums)>::value_type;
@@ -101,7 +107,7 @@ void BoxMean::measure(Extent extent, Boundary boundary, int radius, bool twice,
                    [&](std::size_t first, const Sum* row) { std::copy(row, row + width, sums.data() + first); });
     sum_boxes<Sum>(extent, boundary, radius, sums, executor, store_means);
   };
-  if (static_cast<double>(all) * most < 0x1p31) {
+  if (static_cast<double>(cells_of(radius, twice)) * most < 0x1p31) {
     with(sums_);
   } else {
     with(wide_sums_);

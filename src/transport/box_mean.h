@@ -10,6 +10,9 @@
 
 namespace erg {
 
+/// What a sum over a box is multiplied with to be the mean of its cells; `twice`: a sum of sums.
+float box_share(int radius, bool twice);
+
 class BoxMean {
  public:
   /// means = means over the squares of 2 radius + 1 cells around each cell; with `twice` the means of these means. Over

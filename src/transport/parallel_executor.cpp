@@ -25,7 +25,8 @@ SlideTile tile_number(int number, int length) {
 
 }  // namespace
 
-ParallelExecutor::ParallelExecutor(const ExecutorOptions& options) : options_(options), team_(options.threads), snow_(options.instructions) {
+ParallelExecutor::ParallelExecutor(const ExecutorOptions& options)
+    : options_(options), team_(options.threads), snow_(options.instructions) {
   if (!std::has_single_bit(static_cast<unsigned>(options.sweeps)) || options.sweeps < 2 || options.sweeps > 64) {
     throw InputError("sweeps", std::to_string(options.sweeps) + " sub-sweeps a step", "use 2, 4, 8, 16, 32 or 64");
   }

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 
-#include "transport/snow_cell.h"
 #include "transport/snow_sweep.h"
 
 namespace erg {
@@ -74,19 +73,19 @@ void poll(const SnowPolls& polls) {
   alignas(64) std::uint32_t lifts[snow_lines];
   const std::uint32_t* __restrict polled_row = polls.polled_row;
   const SnowCell* __restrict cells = polls.cells;
-  const std::uint32_t key = polls.key + polls.first_line * 0x9e3779b9u;
+  const std::uint32_t key = polls.key;
+  const std::uint32_t first_line = polls.first_line;
   const std::uint32_t chance_key = polls.chance_key;
   const auto rows = static_cast<std::uint32_t>(polls.rows);
   const int next_row = polls.next_row;
   const int next_line = polls.next_line;
   ERG_EACH(i, polls.lines) {
-    const std::uint32_t word = mix32(key + static_cast<std::uint32_t>(i) * 0x9e3779b9u);
+    const std::uint32_t word = snow_poll_word(key, first_line + static_cast<std::uint32_t>(i));
     const std::uint32_t at = polled_row[static_cast<int>(word >> 24)];
     const bool within = at < rows;
     const int cell = static_cast<int>(within ? at : 0) * next_row + i * next_line;
-    const std::uint32_t chance = lift_chance_of(cells[cell].snow, cells[cell].chances);
     row[i] = within ? at : 0;
-    lifts[i] = within && (mix32(word ^ chance_key) >> 16) < chance ? 1 : 0;
+    lifts[i] = within && snow_lifts(word, chance_key, cells[cell].snow, cells[cell].chances) ? 1 : 0;
   }
   for (int i = 0; i < polls.lines; ++i) polls.lifts[row[i]] |= static_cast<std::uint64_t>(lifts[i]) << i;
 }

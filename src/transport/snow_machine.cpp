@@ -4,19 +4,13 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
 
-#include "core/errors.h"
 #include "transport/fixed_point.h"
 
 namespace erg {
 namespace {
 
-/// What the random words of a step are for; each has a key space of its own.
-enum SnowWord : std::uint64_t { fall = 62, bonds, slides };
-
-constexpr int slide_rounds = 2;
 constexpr int cells_at_once = 64;  // that are looked over for steep edges together
 
 /// Raises a number that other threads raise.
@@ -28,8 +22,8 @@ void raise(std::atomic<Number>& most, Number value) {
 
 }  // namespace
 
-StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, SnowRadii radii, double shadow_fall,
-                             const WindNow& wind, StepKey key, Executor& executor) {
+StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, SnowRadii radii,
+                             double shadow_fall, const WindNow& wind, StepKey key, Executor& executor) {
   law_ = &law;
   executor_ = &executor;
   layers_ = &layers;
@@ -42,6 +36,9 @@ StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw
   report_ = {};
   bedrock_ = terrain.bedrock().cells().data();
   mobile_ = terrain.edit_mobile().cells().data();
+  ground_ = {
+      frame_.width, frame_.length, boundary_ == Boundary::torus, frame_.origin,       frame_.step_u, frame_.step_v,
+      bedrock_,     mobile_,       layers.loose.data(),          layers.landed.data()};
   measure_heights();
   measure_weather(shadow_fall);
   if (executor.sub_sweeps() == 0) {
@@ -89,12 +86,7 @@ void SnowMachine::measure_heights() {
   low_ = -deepest;
   high_ = highest;
   relief_ = any_relief != 0;
-  if (most > highest_terrain || high_ - low_ > highest_terrain) {
-    throw InputError("terrain",
-                     "it has grown to " + std::to_string(std::max<std::int32_t>(most, high_ - low_)) +
-                         " slabs, more than " + std::to_string(highest_terrain),
-                     "use a larger slab height or less snow");
-  }
+  check_snow_height(most, high_ - low_);
   executor_->for_pieces(static_cast<std::int64_t>(cells), [&](std::int64_t begin, std::int64_t end) {
     const auto low = static_cast<std::uint32_t>(low_);
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) height_[k] -= low;
@@ -175,21 +167,14 @@ void SnowMachine::find_shadow(double shadow_fall) {
 void SnowMachine::shade_lines(int first, int end, double shadow_fall) {
   constexpr std::int64_t no_line = std::numeric_limits<std::int64_t>::min() / 4;
   const bool open = boundary_ == Boundary::open;
-  const std::int64_t fall_far = fixed_point(shadow_fall / frame_.cosine);
-  const std::int64_t fall_near = fixed_point(shadow_fall);
-  const auto tangent_24 = static_cast<std::int64_t>(frame_.tangent * 0x1p24);
-  // Rows before the first one from which a shadow can still reach over the torus edge.
-  const double reach = static_cast<double>(high_ - low_) * frame_.cosine / std::max(shadow_fall, 1e-6) + 3;
-  const int limit = 2 * frame_.length;
-  const int start = open ? 0 : -(reach < limit ? static_cast<int>(reach) : limit);
+  const SnowShadow shadow = snow_shadow(shadow_fall, frame_.tangent, frame_.cosine, open, frame_.length, high_ - low_);
   std::vector<std::int64_t> far(static_cast<std::size_t>(end - first), no_line);
   std::vector<std::int64_t> near = far;
-  const auto moved = [&](int row) { return (row * tangent_24 + (std::int64_t{1} << 23)) >> 24; };
-  std::int64_t sideways = moved(start);
+  std::int64_t sideways = shadow.sideways(shadow.start);
   int first_u = wrap(static_cast<int>(first + sideways), frame_.width);
-  int v = wrap(start, frame_.length);
-  for (int row = start; row < frame_.length; ++row, v = v + 1 == frame_.length ? 0 : v + 1) {
-    if (const std::int64_t now = moved(row); now != sideways) {
+  int v = wrap(shadow.start, frame_.length);
+  for (int row = shadow.start; row < frame_.length; ++row, v = v + 1 == frame_.length ? 0 : v + 1) {
+    if (const std::int64_t now = shadow.sideways(row); now != sideways) {
       sideways = now;
       if (++first_u == frame_.width) first_u = 0;
     }
@@ -199,21 +184,11 @@ void SnowMachine::shade_lines(int first, int end, double shadow_fall) {
       const std::size_t here = cell(u, v);
       const std::int64_t height = static_cast<std::int64_t>(height_[here]) << fixed_point_bits;
       if (row >= 0) dark_[here] = height < std::max(far[line], near[line]) ? 1 : 0;
-      far[line] = std::max(height, far[line]) - fall_far;
-      near[line] = height - fall_near;
+      far[line] = std::max(height, far[line]) - shadow.fall_far;
+      near[line] = height - shadow.fall_near;
       if (++u == frame_.width) u = 0;
     }
   }
-}
-
-/// Folds a place over the torus; false where it lies beyond an open edge.
-bool SnowMachine::inside(int& u, int& v) const {
-  const bool within = u >= 0 && u < frame_.width && v >= 0 && v < frame_.length;
-  if (within) return true;
-  if (boundary_ == Boundary::open) return false;
-  u = wrap(u, frame_.width);
-  v = wrap(v, frame_.length);
-  return true;
 }
 
 // --- flights ---
@@ -243,12 +218,10 @@ void SnowMachine::fly_in_sweeps() {
 // --- slides ---
 
 void SnowMachine::slide() {
-  for (std::uint64_t round = 0; round < slide_rounds; ++round) {
-    std::uint32_t order[4] = {0, 1, 2, 3};
-    for (std::uint32_t last = 3; last > 0; --last) {
-      std::swap(order[last], order[random_below(key_, round, last, slides, last + 1)]);
-    }
-    for (const std::uint32_t kind : order) slide_class(kind < 2, static_cast<int>(kind & 1));
+  for (int round = 0; round < snow_slide_rounds; ++round) {
+    SnowEdges order[4];
+    draw_snow_slides(key_, round, order);
+    for (const SnowEdges& edges : order) slide_class(edges.along, edges.odd);
   }
 }
 
@@ -264,7 +237,7 @@ void SnowMachine::slide_class(bool along, int odd) {
     executor_->for_pieces(ny, [&](std::int64_t begin, std::int64_t end) {
       for (auto y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y) {
         slide_in_row(y * nx, first);
-        if (closes) slide_edge(y * nx, y * nx + nx - 1);
+        if (closes) slide_snow(ground_, y * nx, y * nx + nx - 1, *law_);
       }
     });
     return;
@@ -285,7 +258,7 @@ void SnowMachine::slide_in_row(std::size_t row, int first) {
     const std::size_t here = row + static_cast<std::size_t>(x);
     if (!any_steep(here, here + 1, count)) continue;
     for (int k = first; k < count; k += 2) {
-      slide_edge(here + static_cast<std::size_t>(k), here + static_cast<std::size_t>(k) + 1);
+      slide_snow(ground_, here + static_cast<std::size_t>(k), here + static_cast<std::size_t>(k) + 1, *law_);
     }
   }
 }
@@ -295,7 +268,8 @@ void SnowMachine::slide_between_rows(std::size_t a, std::size_t b) {
     const int count = std::min(cells_at_once, extent_.nx - x);
     const auto start = static_cast<std::size_t>(x);
     if (!any_steep(a + start, b + start, count)) continue;
-    for (std::size_t k = start; k < start + static_cast<std::size_t>(count); ++k) slide_edge(a + k, b + k);
+    for (std::size_t k = start; k < start + static_cast<std::size_t>(count); ++k)
+      slide_snow(ground_, a + k, b + k, *law_);
   }
 }
 
@@ -305,40 +279,21 @@ bool SnowMachine::any_steep(std::size_t a, std::size_t b, int count) const {
   return snow_kernels(instructions_).any_steep(at(a), mobile_ + a, at(b), mobile_ + b, count, law_->standing);
 }
 
-void SnowMachine::slide_edge(std::size_t a, std::size_t b) {
-  const std::int32_t difference = surface(a) - surface(b);
-  if (difference <= law_->standing && -difference <= law_->standing) return;
-  const std::size_t from = difference > 0 ? a : b;
-  const std::size_t to = difference > 0 ? b : a;
-  if (layers_->loose[from] <= 0) return;
-  --mobile_[from];
-  --layers_->loose[from];
-  ++mobile_[to];
-  ++layers_->loose[to];
-  layers_->landed[to] = law_->now;
-}
-
 // --- rest ---
 
 /// Snow falls at random and comes to lie on the lowest of nine cells.
 void SnowMachine::let_snow_fall() {
   if (law_->snowfall <= 0) return;
-  const std::uint64_t base = random_word(key_, 0, 0, fall);
+  const std::uint64_t base = snowfall_word(key_);
   fallen_.clear();
   executor_->for_pieces(frame_.width, [&](std::int64_t begin, std::int64_t end) {
     std::vector<std::uint32_t> fallen;
     for (int u = static_cast<int>(begin); u < end; ++u) {
       for (int v = 0; v < frame_.length; ++v) {
-        const std::uint64_t word = cell_word(base, number(u, v));
-        const int slabs = static_cast<int>(law_->snowfall + unit_24(static_cast<std::uint32_t>(word)));
+        const std::uint64_t word = snow_cell_word(base, ground_.number(u, v));
+        const int slabs = falling_slabs(*law_, word);
         if (slabs == 0) continue;
-        std::size_t lowest = cell(u, v);
-        for (int k = 0; k < 9; ++k) {
-          const int turned = (k + static_cast<int>(word >> 32 & 0xff)) % 9;
-          int near_u = u + turned / 3 - 1;
-          int near_v = v + turned % 3 - 1;
-          if (inside(near_u, near_v) && surface(cell(near_u, near_v)) < surface(lowest)) lowest = cell(near_u, near_v);
-        }
+        const std::size_t lowest = lowest_of_nine(ground_, u, v, word);
         fallen.insert(fallen.end(), static_cast<std::size_t>(slabs), static_cast<std::uint32_t>(lowest));
       }
     }
@@ -357,7 +312,7 @@ void SnowMachine::let_snow_fall() {
 
 /// Loose snow bonds from below; bonded snow grows older.
 void SnowMachine::rest() {
-  const auto key = static_cast<std::uint32_t>(random_word(key_, 0, 0, bonds));
+  const std::uint32_t key = bonding_key(key_);
   const auto nx = static_cast<std::size_t>(extent_.nx);
   const std::int64_t next_by_v = frame_.step_v > 0 ? 1 : -1;
   const std::int64_t next_by_u = frame_.step_u > 0 ? frame_.length : -frame_.length;

@@ -17,6 +17,7 @@
 #include "transport/executor.h"
 #include "transport/snow_cell.h"
 #include "transport/snow_flights.h"
+#include "transport/snow_ground.h"
 #include "transport/snow_step.h"
 #include "wind/wind_frame.h"
 
@@ -60,20 +61,12 @@ class SnowMachine {
   void slide_class(bool along, int odd);
   void slide_in_row(std::size_t row, int first);
   void slide_between_rows(std::size_t a, std::size_t b);
-  void slide_edge(std::size_t a, std::size_t b);
   bool any_steep(std::size_t a, std::size_t b, int count) const;
   void let_snow_fall();
   void rest();
 
   std::size_t cell(int u, int v) const { return frame_.cell(u, v); }
-  std::uint64_t number(int u, int v) const {
-    return static_cast<std::uint64_t>(u) * static_cast<std::uint64_t>(frame_.length) + static_cast<std::uint64_t>(v);
-  }
-  static std::uint64_t cell_word(std::uint64_t word, std::uint64_t number) {
-    return mix64(word + 0x9e3779b97f4a7c15u * (number + 1));
-  }
   bool along_x() const { return frame_.step_v == 1 || frame_.step_v == -1; }
-  bool inside(int& u, int& v) const;
   std::int32_t surface(std::size_t cell) const { return bedrock_[cell] + mobile_[cell]; }
 
   const InstructionSet instructions_;
@@ -89,6 +82,7 @@ class SnowMachine {
   double inflow_ = 0;
   SnowRadii radii_;
   WindFrame frame_;
+  SnowGround ground_;
   StepKey key_;
   StepReport report_;
 

@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "transport/sub_sweep.h"
-
 namespace erg {
 namespace {
 
-constexpr std::uint64_t one_slab = std::uint64_t{1} << 32;
-constexpr std::uint32_t whole_hop = 256;    // share of a hop that is flown
-constexpr std::int16_t over_wall = 0x7fff;  // higher than any slab flies
 constexpr std::int32_t no_surface = std::numeric_limits<std::int32_t>::min();
-constexpr std::uint32_t golden = 0x9e3779b9u;
-
-constexpr std::uint32_t always = 65536;
 
 std::uint64_t bit(int line) { return std::uint64_t{1} << line; }
-
-std::uint32_t chance(float share) { return static_cast<std::uint32_t>(std::clamp(share, 0.0f, 1.0f) * 65536); }
-
-/// The snow of a cell from which a slab has lifted: a loose one where there is one.
-std::uint32_t without_slab(std::uint32_t snow) {
-  return snow - (loose_of(snow) > 0 ? snow_word(1, 1) : snow_word(0, 1));
-}
-
-/// A further random word.
-std::uint32_t next(std::uint32_t word) { return mix32(word + 0x85ebca6bu); }
 
 }  // namespace
 
@@ -41,16 +23,10 @@ struct SnowStrip::Air {
   std::uint64_t& load(int row, int line) { return ring[(row & mask) * snow_lines + line]; }
   /// Sends a slab from a cell to the row where it comes down next.
   void launch(const SnowCell& cell, int row, int line, std::uint32_t random) {
-    const int rows = snow_hop_rows(cell.hops, random);
-    int flown = rows;
-    std::uint64_t slab = one_slab + whole_hop;
-    if (cell.run < rows) {
-      flown = cell.run;
-      slab = one_slab + whole_hop * static_cast<std::uint32_t>(flown) / static_cast<std::uint32_t>(rows);
-    }
-    load(row + flown, line) += slab;
-    arrived(row + flown) |= bit(line);
-    rows_flown += flown;
+    const SnowHop hop = snow_hop(cell, random);
+    load(row + hop.rows, line) += hop.load;
+    arrived(row + hop.rows) |= bit(line);
+    rows_flown += hop.rows;
   }
 };
 
@@ -122,11 +98,7 @@ void SnowStrip::load(const SnowFlightPlan& plan, int first, int lines) {
   lines_ = lines;
   counts_ = {};
   carried_.clear();
-  const SnowLaw& law = *plan.law;
-  rest_loose_ = chance(law.rest_loose);
-  rest_hard_ = chance(law.rest_hard);
-  rest_ground_ = chance(law.rest_ground);
-  suspension_ = chance(law.suspension);
+  rests_ = snow_rests(*plan.law);
   lay_out();
   ring_.assign(static_cast<std::size_t>(plan.ring_rows) * snow_lines, 0);
   arrived_.assign(static_cast<std::size_t>(plan.ring_rows), 0);
@@ -214,7 +186,7 @@ void SnowStrip::sweep(const SnowSweep& sweep) {
     std::uint64_t lifted = sweep.polls ? find_lifts(row, sweep, lifts) : 0;
     if (plan_.boundary == Boundary::open) cross_open_edges(row, sweep);
     if ((lifted | air.arrived(row)) == 0) continue;
-    const std::uint64_t row_word = mix64((std::uint64_t{sweep.key} << 32) + static_cast<std::uint64_t>(row));
+    const std::uint64_t row_word = snow_row_word(sweep.key, row);
     SnowCell* cells = cells_.data() + at(row, 0);
     counts_.lifts += __builtin_popcountll(lifted);
     for (; lifted != 0; lifted &= lifted - 1) {
@@ -234,11 +206,6 @@ void SnowStrip::sweep(const SnowSweep& sweep) {
   leave_grid();
 }
 
-/// The random word of a line in a row.
-inline std::uint64_t SnowStrip::line_word(std::uint64_t row_word, int line) const {
-  return mix64(row_word + static_cast<std::uint64_t>(first_ + line));
-}
-
 /// Slabs come down in a cell: they strike it, stay or fly on. All decide on the snow as they find it.
 inline void SnowStrip::arrive(SnowCell& cell, int row, int line, std::uint64_t row_word, bool last, Air& air) {
   std::uint64_t& waiting = air.load(row, line);
@@ -247,17 +214,15 @@ inline void SnowStrip::arrive(SnowCell& cell, int row, int line, std::uint64_t r
   const std::uint32_t before = cell.snow;
   std::int32_t mobile = mobile_of(before);
   std::int32_t loose = loose_of(before);
-  std::uint32_t rest = loose > 0 ? rest_loose_ : (mobile > 0 ? rest_hard_ : rest_ground_);
-  if (last || mean_hop_64(cell.hops) == 0) rest = always;
+  const std::uint32_t rest = last ? certain : chance_to_stay(rests_, before, cell.hops);
   std::uint64_t word = line_word(~row_word, line);
   if (loose == 0 && mobile > 0) loose += strikes(row, line, load, mix32(static_cast<std::uint32_t>(word >> 32)));
-  for (auto slabs = load / one_slab;; word = mix64(word)) {
-    const bool stays = (word & 0xffff) < rest;
-    if (stays) {
+  for (std::uint32_t slabs = slabs_of(load);; word = mix64(word)) {
+    if (snow_stays(word, rest)) {
       ++mobile;
       ++loose;
       cell.landed = 1;
-    } else if ((word >> 16 & 0xffff) < suspension_) {
+    } else if (snow_carried_off(word, rests_)) {
       ++counts_.slabs_out;
     } else {
       air.launch(cell, row, line, static_cast<std::uint32_t>(word >> 32));
@@ -274,8 +239,7 @@ std::uint64_t SnowStrip::find_lifts(int row, const SnowSweep& sweep, std::uint64
     std::fill(lifts, lifts + plan_.sweeps, std::uint64_t{0});
     SnowPolls polls;
     polls.rows = std::min(plan_.sweeps, plan_.frame.length - row);
-    // One permutation of a block's rows for all sub-sweeps of the step, but chances of their own.
-    polls.key = mix32(sweep.step_key + static_cast<std::uint32_t>(row) * golden);
+    polls.key = snow_poll_key(sweep, row);
     polls.chance_key = sweep.key;
     polls.first_line = static_cast<std::uint32_t>(first_);
     polls.lines = lines_;
@@ -292,18 +256,16 @@ std::uint64_t SnowStrip::find_lifts(int row, const SnowSweep& sweep, std::uint64
 /// How many slabs of bonded snow the impacts on a cell free.
 int SnowStrip::strikes(int row, int line, std::uint64_t load, std::uint32_t word) const {
   const std::size_t here = at(row, line);
-  const float strongest = abrasion_of(cells_[here].hops);
-  if (strongest <= 0) return 0;
+  const std::uint32_t hops = cells_[here].hops;
+  if (abrasion_of(hops) <= 0) return 0;
   const std::int32_t upwind = row > 0 ? surface(at(row - 1, line)) : upwind_[line];
   const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface(here) - upwind);
-  const auto slabs = static_cast<std::uint32_t>(load / one_slab);
-  const float flown = static_cast<float>(load % one_slab) / static_cast<float>(slabs * whole_hop);
-  const float power = strongest * impact_share(*plan_.law, rise) * flown;
+  const float power = strike_power(*plan_.law, hops, load, rise);
   if (power <= 0) return 0;
   int freed = 0;
-  for (std::uint32_t slab = 0; slab < slabs; ++slab) {
+  for (std::uint32_t slab = 0; slab < slabs_of(load); ++slab) {
     const float drawn = unit_24(word);
-    word = next(word);
+    word = next_snow_word(word);
     if (may_free(*plan_.law, drawn, power) && drawn * strength(row, line) < power) ++freed;
   }
   return freed;
@@ -327,8 +289,8 @@ void SnowStrip::leave_grid() {
       if (plan_.boundary == Boundary::torus) {
         carried_.push_back({static_cast<std::uint32_t>(first_ + line), rows, load});
       } else {
-        counts_.slabs_out += static_cast<std::int64_t>(load / one_slab);
-        counts_.rows_flown -= static_cast<std::int64_t>(load / one_slab) * (rows + 1);
+        counts_.slabs_out += slabs_of(load);
+        counts_.rows_flown -= std::int64_t{slabs_of(load)} * (rows + 1);
       }
       load = 0;
     }
@@ -358,15 +320,12 @@ void SnowStrip::cross_open_edges(int row, const SnowSweep& sweep) {
 
 void SnowStrip::enter(int row, int line, const SnowSweep& sweep) {
   if (plan_.inflow <= 0 || !sweep.polls) return;
-  std::uint32_t word = mix32(sweep.key ^ mix32(static_cast<std::uint32_t>(first_ + line) * golden + 1));
-  const auto slabs = static_cast<int>(plan_.inflow / plan_.sweeps + static_cast<double>(unit_24(word >> 8)));
+  std::uint32_t word = entering_word(sweep, first_ + line);
+  const int slabs = entering_slabs(plan_.inflow, plan_.sweeps, word);
   const SnowCell& cell = cells_[at(row, line)];
   for (int slab = 0; slab < slabs; ++slab) {
-    // Where in its hop a slab crosses the edge is random.
-    word = next(word);
-    const std::uint32_t part = mean_hop_64(cell.hops) * (word >> 16) >> 16;
-    const int hop = mean_hop_64(cell.hops) > 0 ? snow_hop_rows(part, next(word ^ golden)) : 0;
-    const int rows = std::min<int>(hop, cell.run);
+    word = next_snow_word(word);
+    const int rows = entering_rows(cell, word);
     receive(line, row + rows, one_slab + whole_hop);
     counts_.rows_flown += rows;
   }
@@ -377,8 +336,8 @@ void SnowStrip::enter(int row, int line, const SnowSweep& sweep) {
 void SnowStrip::drop_out(int row, int line) {
   for (int rows = 0; rows < plan_.ring_rows; ++rows) {
     std::uint64_t& load = ring(row + rows, line);
-    counts_.slabs_out += static_cast<std::int64_t>(load / one_slab);
-    counts_.rows_flown -= static_cast<std::int64_t>(load / one_slab) * (rows + 1);
+    counts_.slabs_out += slabs_of(load);
+    counts_.rows_flown -= std::int64_t{slabs_of(load)} * (rows + 1);
     load = 0;
     arrived(row + rows) &= ~bit(line);
   }

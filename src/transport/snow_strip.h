@@ -34,20 +34,11 @@ struct SnowFlightPlan {
   Grid<std::int32_t>* lift_counts = nullptr;  ///< Executor::lift_counts
 
   // Filled in by SnowFlights.
-  std::int64_t drift = 0;        ///< columns that a line moves over the length of the grid
-  int reach = 1;                 ///< rows of the longest hop
-  int ring_rows = 2;             ///< a power of two over `reach`
-  const int* offsets = nullptr;  ///< column of line 0 in each row from -1 to length + reach
+  std::int64_t drift = 0;  ///< SnowDraws
+  int reach = 1;
+  int ring_rows = 2;
+  const int* offsets = nullptr;
   const SnowKernels* kernels = nullptr;
-};
-
-/// What is drawn for one sub-sweep.
-struct SnowSweep {
-  bool polls = true;
-  bool last = false;           ///< whatever comes down stays
-  std::uint32_t step_key = 0;  ///< the same for all sub-sweeps of a step
-  std::uint32_t key = 0;
-  std::uint32_t polled_row[256] = {};  ///< of a block of K rows, for each random byte
 };
 
 class SnowStrip {
@@ -99,7 +90,7 @@ class SnowStrip {
   }
   std::uint64_t& arrived(std::int64_t row) { return arrived_[static_cast<std::size_t>(row & (plan_.ring_rows - 1))]; }
   std::uint64_t find_lifts(int row, const SnowSweep& sweep, std::uint64_t (&lifts)[64]);
-  std::uint64_t line_word(std::uint64_t row_word, int line) const;
+  std::uint64_t line_word(std::uint64_t row_word, int line) const { return snow_line_word(row_word, first_ + line); }
   void arrive(SnowCell& cell, int row, int line, std::uint64_t row_word, bool last, Air& air);
   int strikes(int row, int line, std::uint64_t load, std::uint32_t word) const;
   float strength(int row, int line) const;
@@ -111,10 +102,7 @@ class SnowStrip {
   SnowFlightPlan plan_;
   int first_ = 0;
   int lines_ = 0;
-  std::uint32_t rest_loose_ = 0;  ///< chances of 65536
-  std::uint32_t rest_hard_ = 0;
-  std::uint32_t rest_ground_ = 0;
-  std::uint32_t suspension_ = 0;
+  SnowRests rests_;
   Counts counts_;
   int next_row_ = snow_lines;  ///< in the layers below: cells lie as they do in the terrain, lines or rows side by side
   int next_line_ = 1;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "transport/executor.h"
-#include "transport/snow_cell.h"
+#include "transport/snow_flight_cell.h"
 
 namespace erg {
 
@@ -47,19 +47,10 @@ struct SnowRestRow {
 /// Most lines of a strip.
 inline constexpr int snow_lines = 64;
 
-/// A cell of a strip, held together because a slab that lifts or comes down needs all of it.
-struct SnowCell {
-  std::uint32_t snow = 0;     ///< snow_word
-  std::uint32_t chances = 0;  ///< SnowWeather
-  std::uint32_t hops = 0;
-  std::int16_t run = 0;     ///< rows that a slab can fly from here before higher ground ends its hop
-  std::int16_t landed = 0;  ///< 1: a slab has come to rest here in this step
-};
-
 /// Rows of a strip in which a sub-sweep polls each line once.
 struct SnowPolls {
   int rows = 0;
-  std::uint32_t key = 0;         ///< of the choice of rows
+  std::uint32_t key = 0;         ///< snow_poll_key
   std::uint32_t chance_key = 0;  ///< of the chances to lift
   std::uint32_t first_line = 0;
   int lines = 0;
@@ -86,7 +77,6 @@ struct SnowKernels {
   void (*strength)(const SnowLaw& law, int y, const std::int32_t* mobile, const std::int32_t* loose, float* strength,
                    int count);
 };
-inline constexpr std::int16_t unhindered_run = 0x7fff;
 
 const SnowKernels& snow_kernels(InstructionSet set);
 
