@@ -66,7 +66,8 @@ class SnowMachine {
   void rest();
 
   std::size_t cell(int u, int v) const { return frame_.cell(u, v); }
-  bool along_x() const { return frame_.step_v == 1 || frame_.step_v == -1; }
+  /// Whether the wind's frame runs along the terrain's rows. In a grid of one column its steps do not tell.
+  bool along_x() const { return (frame_.step_v == 1 || frame_.step_v == -1) && frame_.length == extent_.nx; }
   std::int32_t surface(std::size_t cell) const { return bedrock_[cell] + mobile_[cell]; }
 
   const InstructionSet instructions_;

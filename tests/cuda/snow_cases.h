@@ -27,8 +27,8 @@ inline std::vector<SnowCase> snow_cases() {
   // Metres of snow, loose and bonded, in a wind that lifts both and carries some of it off; hops of some cells.
   const auto drifting = [](Extent extent, double bearing) {
     World world{.model = "snow_sintering", .extent = extent, .wind = {bearing, 14}, .sand = 40};
-    world.settings = {{"start_age", 30.0},    {"snowfall", 30.0},     {"suspension_wind", 10.0}, {"hop_factor", 60.0},
-                      {"smooth_radius", 2.0}, {"around_radius", 5.0}, {"bonding_time", 0.5}};
+    world.settings = {{"start_age", 30.0},    {"snowfall", 5.0},      {"suspension_wind", 10.0}, {"hop_factor", 60.0},
+                      {"smooth_radius", 2.0}, {"around_radius", 5.0}, {"time_step", 900.0},      {"bonding_time", 4.0}};
     return world;
   };
   const auto with = [](World world, const char* key, ParameterValue value) {
@@ -44,8 +44,13 @@ inline std::vector<SnowCase> snow_cases() {
   const auto pattern = [&](World world, const char* name) {
     return with(std::move(world), "strength", std::string(name));
   };
-  const auto steep = [&](World world) {
-    return with(with(std::move(world), "slab_height", 0.8), "repose_angle", 20.0);
+  // The fewer slabs lift, the longer a step has to be.
+  const auto longer = [&](World world, double seconds) { return with(std::move(world), "time_step", seconds); };
+  const auto hopping = [&](World world, double factor) {
+    return longer(with(std::move(world), "hop_factor", factor), 10000.0);
+  };
+  const auto tall = [&](World world, double slab) {
+    return longer(with(std::move(world), "slab_height", slab), 80000.0);
   };
   return {
       {"straight", drifting({70, 45}, 270), 0, 18},  // long enough to show its strength
@@ -59,17 +64,18 @@ inline std::vector<SnowCase> snow_cases() {
       {"open, oblique, wide, K 4", open(drifting({90, 33}, 310)), 0, 4, 4},
       {"no rocks in the way", with(drifting({40, 40}, 200), "obstacles", false), 200},
       {"no snowfall, no drift off", with(with(drifting({48, 33}, 300), "snowfall", 0.0), "suspension", 0.0)},
-      {"steep", steep(drifting({33, 31}, 260)), 0, 3},
-      {"hops longer than the grid", with(drifting({16, 13}, 225), "hop_factor", 600.0), 0, 4},
-      {"the same along the axis", with(drifting({9, 14}, 270), "hop_factor", 900.0), 0, 4},
-      {"the same, open", open(with(drifting({9, 14}, 290), "hop_factor", 900.0)), 0, 4},
+      {"steep", with(tall(drifting({33, 31}, 260), 0.6), "repose_angle", 20.0), 0, 3},
+      {"hops longer than the grid", hopping(drifting({16, 13}, 225), 600.0)},
+      {"the same along the axis", hopping(drifting({9, 14}, 270), 900.0)},
+      {"the same, open", open(hopping(drifting({9, 14}, 290), 900.0))},
       {"one row", drifting({40, 1}, 230)},
       {"one column", drifting({1, 40}, 270)},
       {"one column, open", open(drifting({1, 40}, 190))},
       {"two by three", drifting({2, 3}, 200)},
       {"one cell", drifting({1, 1}, 250)},
       {"turning wind", drifting({31, 44}, 270), 50, 5, 8, {270, 250, 180, 20, 95}},
-      {"long shadows", with(with(drifting({130, 9}, 255), "shadow_angle", 2.0), "slab_height", 0.1), 300, 2},
+      {"long shadows", with(tall(drifting({130, 9}, 255), 0.1), "shadow_angle", 7.0), 150, 3},
+      {"long shadows, open", open(with(tall(drifting({9, 130}, 10), 0.1), "shadow_angle", 7.0)), 150, 3},
   };
 }
 
