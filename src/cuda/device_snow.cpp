@@ -134,7 +134,6 @@ SnowPlan DeviceSnow::step_plan(const Terrain& terrain, const SnowStep& snow, Ste
   plan.ground.loose = loose_.data();
   plan.ground.landed = floats(landed_);
   plan.base = base_;
-  plan.relief = relief_;
   plan.age = floats(age_);
   plan.strength = floats(strength_);
   plan.law = law_.data();

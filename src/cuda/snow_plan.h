@@ -28,7 +28,6 @@ struct SnowEdgeClass {
 struct SnowPlan {
   SnowGround ground;
   std::int32_t base = 0;  ///< lowest bedrock
-  bool relief = false;    ///< the bedrock is not level
   float* age = nullptr;
   float* strength = nullptr;
   const SnowLaw* law = nullptr;  ///< on the device: its tables are more than a launch can hand over
