@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 #include "cuda/device.h"
@@ -33,7 +32,7 @@ class DeviceLayers {
     return device_.fetch(staged_.data(), staged_.size());
   }
   /// Lays layers out for a wind from another side.
-  void turn(std::initializer_list<const DeviceLayer*> layers, const WindFrame& from, const WindFrame& to) {
+  void turn(const std::vector<const DeviceLayer*>& layers, const WindFrame& from, const WindFrame& to) {
     for (const DeviceLayer* layer : layers) {
       move(LayerKernel::stage, *layer, from);
       move(LayerKernel::lay, *layer, to);
