@@ -23,8 +23,8 @@ check() {
 }
 
 case "${1:-both}" in
-  asan) check asan "unit laws studio ui window" "${@:2}" ;;
-  tsan) check tsan "laws studio ui" "${@:2}" ;;
+  asan) check asan "unit laws cuda studio ui window" "${@:2}" ;;
+  tsan) check tsan "laws cuda studio ui" "${@:2}" ;;
   both)
     scripts/sanitize.sh asan
     scripts/sanitize.sh tsan

@@ -77,8 +77,8 @@ ModelType water_table() {
                    "planes. Journal of Sedimentary Petrology 38, 510-515.",
        .makes = "dunes between level wet flats",
        .leaves_out = "a table that rises under dunes, rain, evaporation, salt",
-       .step = "one step polls as many cells as the grid has",
-       .strength_label = "hop length, cells"},
+       .step = slab_step,
+       .strength_label = slab_strength},
       water_table_parameters(),
       {},  // no layers of its own
       [](const ParameterValues& values) { return std::make_unique<WaterTable>(values); },

@@ -16,14 +16,12 @@ struct Morphometry {
   double bare_fraction = 0;    ///< share of cells with no mobile quantum
 
   // Of the surface.
-  double lowest = 0;          ///< m
-  double highest = 0;         ///< m
-  double sd_surface = 0;      ///< m
-  double steepest_slope = 0;  ///< degrees: the largest step between two of the four neighbours
-  double mean_slope = 0;      ///< degrees: mean of the slope by central differences
+  double lowest = 0;      ///< m
+  double highest = 0;     ///< m
+  double sd_surface = 0;  ///< m: standard deviation over all cells
 };
 
-/// Measures a terrain; across the edges on a torus only.
+/// Measures a terrain; all 0 for one without cells.
 Morphometry measure(const Terrain& terrain);
 
 /// The share of cells that are dark in a shadow map.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <thread>
@@ -10,6 +9,7 @@
 
 #include "app/model_stage.h"
 #include "core/random.h"
+#include "core/units.h"
 #include "models/slab_model.h"
 #include "sim/simulation.h"
 
@@ -118,13 +118,8 @@ std::vector<ExecutorOptions> measured_options(const BenchOptions& options, bool 
 }
 
 Scene grow(const std::string& model, const std::string& kind, const BenchOptions& options) {
-  Config config(model);
-  const std::string side = std::to_string(options.grid);
-  for (const std::string& assignment : {"grid.nx=" + side, "grid.ny=" + side, "scene.kind=" + kind,
-                                        std::string("run.executor=cpu"), "run.seed=" + std::to_string(bench_seed)}) {
-    set_from_text(config, assignment);
-  }
-  config.wind = Regime::constant(options.bearing, Season{}.first);
+  Config config = bench_config(model, options.grid, {"scene.kind=" + kind, "run.executor=cpu"});
+  config.wind.seasons.front().bearing = options.bearing;
   Simulation simulation(config);
   const auto& slab_model = dynamic_cast<const SlabModel&>(simulation.model());
   std::fprintf(stderr, "bench: growing %s dunes on %s, %d x %d cells\n", model.c_str(), kind.c_str(), options.grid,
@@ -191,7 +186,7 @@ std::vector<BenchRow> bench_model(const std::string& model, const BenchOptions& 
   const Scene dunes = grow(model, "flat", options);
   Scene oblique = dunes;
   oblique.name = "oblique wind";
-  oblique.wind.bearing = std::fmod(oblique.wind.bearing + oblique_turn + 360, 360);
+  oblique.wind.bearing = fold_bearing(oblique.wind.bearing + oblique_turn);
   const CoverField cover = scattered_cover(dunes.terrain.extent());
   Scene covered = dunes;
   covered.name = "cover";
@@ -230,6 +225,16 @@ bool is_law_alone(const ModelType& type) {
 
 int bench_threads(const BenchOptions& options) {
   return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+Config bench_config(const std::string& model, int side, const std::vector<std::string>& settings) {
+  Config config(model);
+  start_as_model(config);
+  config.grid.set("nx", std::int64_t{side});
+  config.grid.set("ny", std::int64_t{side});
+  config.run.set("seed", static_cast<std::int64_t>(bench_seed));
+  for (const std::string& setting : settings) set_from_text(config, setting);
+  return config;
 }
 
 std::vector<BenchRow> run_bench(const BenchOptions& options) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/config.h"
+
 namespace erg {
 
 struct BenchOptions {
@@ -22,6 +24,10 @@ inline constexpr double oblique_turn = -30;
 /// How many threads are measured beside one.
 int bench_threads(const BenchOptions& options);
 
+/// What a bench grows: a model as it starts, on `side` x `side` cells, always with the same seed, and what `--set`
+/// would change of it.
+Config bench_config(const std::string& model, int side, const std::vector<std::string>& settings = {});
+
 /// One measured executor on one scene.
 struct BenchRow {
   std::string model;
@@ -30,8 +36,8 @@ struct BenchRow {
   int ny = 0;
   std::string executor;
   int threads = 1;
-  double bearing = 270;
-  int sweeps = 0;  ///< 0 for serial, which has none
+  double bearing = 270;  ///< degrees
+  int sweeps = 0;        ///< 0 for serial, which has none
   double polls_per_second = 0;
   double serial_polls_per_second = 0;  ///< the reference on the same scene, measured between the same repeats
   double plain_polls_per_second = 0;   ///< the same executor on the model's plain scene under the straight wind

@@ -5,8 +5,8 @@
 
 #include "app/bench.h"
 #include "app/command.h"
+#include "app/grain_bench.h"
 #include "app/measured_run.h"
-#include "app/model_bench.h"
 #include "app/render_bench.h"
 #include "app/text_table.h"
 #include "core/terrain.h"
@@ -19,7 +19,7 @@
 namespace erg {
 namespace {
 
-std::string json_text(const std::vector<BenchRow>& rows, const std::vector<ModelBenchRow>& grain_rows) {
+std::string json_text(const std::vector<BenchRow>& rows, const std::vector<GrainBenchRow>& grain_rows) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const BenchRow& row : rows) {
     nlohmann::ordered_json object;
@@ -37,7 +37,7 @@ std::string json_text(const std::vector<BenchRow>& rows, const std::vector<Model
     object["state_hash"] = hash_text(row.hash);
     list.push_back(std::move(object));
   }
-  for (const ModelBenchRow& row : grain_rows) {
+  for (const GrainBenchRow& row : grain_rows) {
     list.push_back({{"model", row.model},
                     {"nx", row.side},
                     {"ny", row.side},
@@ -65,8 +65,7 @@ std::string table_text(const std::vector<BenchRow>& rows, const std::string& exe
   }
   return table.aligned() +
          "\nMillion polls a second, the best of several repeats in which all take turns. Of plain: the same executor "
-         "on "
-         "the\nmodel's first scene.\n";
+         "on the\nmodel's first scene.\n";
 }
 
 bool flies_grains(const ModelType& type) {
@@ -134,12 +133,16 @@ void add_bench_command(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({2, 4, 8, 16, 32, 64}));
   command->add_option("--bearing", options->bearing, "Where the wind blows from: degrees or W, NW ...")
       ->capture_default_str();
-  command->add_flag("--json", options->json, "Print a JSON list of rows");
-  command->add_flag("--render", options->render,
-                    "Measure pictures instead, of --grid or else of 256, 1024 and 4096 cells a side");
+  CLI::Option* const json = command->add_flag("--json", options->json, "Print a JSON list of rows");
+  CLI::Option* const render =
+      command
+          ->add_flag("--render", options->render,
+                     "Measure pictures instead, of --grid or else of 256, 1024 and 4096 cells a side")
+          ->excludes(json);
   command->add_option("--context", options->context, "What draws with --render: auto, egl, osmesa")
       ->capture_default_str()
-      ->check(CLI::IsMember(offscreen_kinds()));
+      ->check(CLI::IsMember(offscreen_kinds()))
+      ->needs(render);
   command->callback([&action, options, grid] {
     const bool one_grid = grid->count() > 0;
     action = [options, one_grid] {
@@ -157,9 +160,9 @@ void add_bench_command(CLI::App& program, Action& action) {
       const std::vector<std::string> grain_models = take_grain_models(options->bench);
       const bool slabs = !options->bench.models.empty();
       const std::vector<BenchRow> rows = slabs ? run_bench(options->bench) : std::vector<BenchRow>{};
-      std::vector<ModelBenchRow> grain_rows;
+      std::vector<GrainBenchRow> grain_rows;
       for (const std::string& model : grain_models) {
-        for (ModelBenchRow& row : bench_grains(model, options->bench)) grain_rows.push_back(std::move(row));
+        for (GrainBenchRow& row : bench_grains(model, options->bench)) grain_rows.push_back(std::move(row));
       }
       if (options->json) {
         std::cout << json_text(rows, grain_rows);

@@ -1,9 +1,11 @@
 // `erg models` and `erg model NAME`: what the catalogue declares, as text or Markdown.
 #include <iostream>
 #include <memory>
+#include <span>
 
 #include "app/command.h"
 #include "app/text_table.h"
+#include "core/joined.h"
 #include "models/model.h"
 #include "sim/config.h"
 
@@ -12,11 +14,8 @@ namespace {
 
 std::string condition_text(const Parameter& parameter) {
   if (parameter.only_when.size() < 2) return "";
-  std::string text = " Only with " + parameter.only_when[0] + " ";
-  for (std::size_t i = 1; i < parameter.only_when.size(); ++i) {
-    text += (i > 1 ? " or " : "") + parameter.only_when[i];
-  }
-  return text + ".";
+  const std::span<const std::string> condition = parameter.only_when;
+  return " Only with " + condition.front() + " " + joined(condition.subspan(1), " or ") + ".";
 }
 
 TextTable parameter_table(const Parameters& parameters) {
@@ -49,7 +48,8 @@ ExitCode print_models() {
 
 ExitCode print_model(const std::string& key, bool markdown) {
   const ModelType& type = find_model(key);
-  const Config config(key);
+  Config config(key);
+  start_as_model(config);
   const std::vector<std::string> meanings = type.explain(config.parameters, config.grid.real("cell_size"));
   const ModelInfo& info = type.info;
   const char* bullet = markdown ? "- " : "  ";
@@ -69,7 +69,8 @@ ExitCode print_model(const std::string& key, bool markdown) {
     std::cout << (markdown ? "\n## Fields\n\n" : "\nFields\n\n") << (markdown ? fields.markdown() : fields.aligned());
   }
   if (!meanings.empty()) {
-    std::cout << (markdown ? "\n## What the defaults mean\n\n" : "\nWhat the defaults mean\n\n");
+    std::cout << (markdown ? "\n## What the defaults mean" : "\nWhat the defaults mean") << ", with cells of "
+              << value_text(config.grid.real("cell_size")) << " m\n\n";
     for (const std::string& meaning : meanings) std::cout << bullet << meaning << "\n";
   }
   return exit_done;

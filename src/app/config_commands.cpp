@@ -42,7 +42,7 @@ ExitCode print_presets() {
 }
 
 ExitCode print_schema() {
-  std::cout << config_schema() << "\n";
+  std::cout << config_schema();
   return exit_done;
 }
 

@@ -10,8 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "app/output_folder.h"
 #include "io/atomic_file.h"
-#include "io/image.h"
+#include "io/png.h"
 
 namespace erg {
 namespace {
@@ -41,9 +42,7 @@ std::optional<int> run_program(std::vector<std::string> words) {
 Film::Film(const fs::path& folder, const std::string& name, std::int64_t every, const PictureRequest& request,
            Simulation& simulation)
     : frames_(folder / (name + "-frames")), movie_(folder / (name + ".mp4")), every_(every) {
-  std::error_code failed;
-  fs::create_directories(frames_, failed);
-  if (failed) throw InputError(frames_.string(), "cannot make this folder: " + failed.message(), "name another --out");
+  make_folder(frames_);
   context_ = make_offscreen_context(request.context);
   renderer_ = std::make_unique<Renderer>();
   plan_ = plan_picture(request, RunView(simulation).view());
@@ -64,7 +63,7 @@ void Film::add_frame(Simulation& simulation) {
 void Film::finish(bool quiet) const {
   if (!quiet) std::cout << "  wrote frames into " << frames_.string() << "\n";
   // What ffmpeg leaves when it is killed or the disk is full never bears the film's name.
-  const fs::path draft = movie_.string() + ".part" + std::to_string(::getpid());
+  const fs::path draft = unfinished_name(movie_);
   const std::string even = "scale=trunc(iw/2)*2:trunc(ih/2)*2";  // the codec wants even sides
   // Only so many: the frames of an earlier, longer run may lie behind them.
   const std::string count = std::to_string(last_ - first_ + 1);

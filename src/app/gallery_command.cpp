@@ -5,6 +5,7 @@
 
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/output_folder.h"
 #include "app/picture_options.h"
 #include "app/presets.h"
 #include "app/progress.h"
@@ -29,7 +30,7 @@ struct GalleryRequest {
 std::vector<Preset> wanted_presets(const GalleryRequest& request) {
   if (request.names.empty()) return presets();
   std::vector<Preset> wanted;
-  for (const std::string& name : request.names) wanted.push_back({name, config_path(name)});
+  for (const std::string& name : request.names) wanted.push_back(find_preset(name));
   return wanted;
 }
 
@@ -54,17 +55,19 @@ bool draw_preset(const Preset& preset, const fs::path& file, Renderer& renderer,
   const RunView run(simulation);
   const PicturePlan plan = plan_picture(gallery_picture(), run.view());
   const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
-  fs::create_directories(file.parent_path());
+  make_folder(file.parent_path());
   write_jpeg(file, picture.opaque());
   return true;
 }
 
 ExitCode make_gallery(const GalleryRequest& request) {
+  const std::vector<Preset> wanted = wanted_presets(request);
   const fs::path folder = request.out.empty() ? presets_folder() : fs::path(request.out);
+  make_folder(folder / "gallery");
   const std::unique_ptr<GlContext> context = make_offscreen_context();
   Renderer renderer;
   const InterruptGuard guard;
-  for (const Preset& preset : wanted_presets(request)) {
+  for (const Preset& preset : wanted) {
     const fs::path file = preset_picture(folder, preset.name);
     if (request.missing && fs::exists(file)) continue;
     if (!draw_preset(preset, file, renderer, request.quiet)) {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/interrupt.h"
 #include "app/presets.h"
 #include "core/errors.h"
 #include "studio/settings.h"
@@ -14,7 +15,9 @@ namespace {
 ExitCode open_window(DesktopRequest request, const std::string& config) {
   if (!config.empty()) request.open = config_path(config);
   request.folders = {settings_folder(), state_folder(), presets_folder()};
+  request.asked_to_end = InterruptGuard::interrupted;
   try {
+    const InterruptGuard guard;
     run_desktop(request);
   } catch (const InputError& error) {
     // No display, or no OpenGL on it: nothing that was given is wrong.

@@ -1,9 +1,9 @@
 #include "app/model_stage.h"
 
-#include <cmath>
 #include <cstdio>
 
 #include "app/bench.h"
+#include "core/units.h"
 
 namespace erg {
 namespace {
@@ -37,17 +37,11 @@ std::vector<Recipe> recipes(const std::string& model) {
 }  // namespace
 
 std::vector<ModelScene> grow_scenes(const std::string& model, const BenchOptions& options) {
-  const std::string side = std::to_string(options.grid);
   std::vector<ModelScene> scenes;
   for (const Recipe& recipe : recipes(model)) {
-    Config config(model);
-    for (const std::string& setting : recipe.settings) set_from_text(config, setting);
-    for (const std::string& setting :
-         {"grid.nx=" + side, "grid.ny=" + side, std::string("run.executor=cpu"), std::string("run.seed=1")}) {
-      set_from_text(config, setting);
-    }
-    const double strength = config.wind.at(0).strength;
-    config.wind = Regime::constant(std::fmod(options.bearing + recipe.turn + 360, 360), strength);
+    Config config = bench_config(model, options.grid, recipe.settings);
+    set_from_text(config, "run.executor=cpu");
+    config.wind.seasons.front().bearing = fold_bearing(options.bearing + recipe.turn);
     std::fprintf(stderr, "bench: growing %s of %s, %d x %d cells\n", recipe.name, model.c_str(), options.grid,
                  options.grid);
     Simulation simulation(config);

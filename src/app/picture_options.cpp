@@ -103,7 +103,7 @@ RunView::RunView(Simulation& simulation) {
   }
   view_.wind = bearing;
   view_.paths = simulation.model().paths();
-  if (simulation.model_type().info.material == Material::snow) view_.cover = Cover::snow;
+  view_.material = simulation.model_type().info.material;
 }
 
 }  // namespace erg

@@ -15,6 +15,9 @@ std::filesystem::path presets_folder();
 /// Every preset, by name.
 std::vector<Preset> presets();
 
+/// The preset of this name. Throws InputError with the nearest.
+Preset find_preset(const std::string& name);
+
 /// The config file that a person means by `name`: that file when it exists, else the preset of this name. Throws
 /// InputError with the nearest preset.
 std::string config_path(const std::string& name);

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <iostream>
 
+#include "app/bench.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "render/textures.h"
@@ -31,13 +32,7 @@ PictureTime time_of(int turns, const Work& work) {
 }
 
 /// Transverse dunes, as they stand before the first step.
-Terrain bench_land(int grid) {
-  Config config;
-  set_from_text(config, "grid.nx=" + std::to_string(grid));
-  set_from_text(config, "grid.ny=" + std::to_string(grid));
-  set_from_text(config, "scene.kind=transverse");
-  return build_scene(config, 1.0 / 3);
-}
+Terrain bench_land(int grid) { return build_scene(bench_config("momiji", grid, {"scene.kind=transverse"}), 1.0 / 3); }
 
 RenderBenchRow measure(Terrain& terrain, const RenderEffort& effort, const std::string& quality, int turns) {
   Renderer renderer;

@@ -6,13 +6,15 @@
 #include "app/command.h"
 #include "app/interrupt.h"
 #include "app/notice.h"
+#include "app/output_folder.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/run_setup.h"
 #include "core/errors.h"
 #include "io/config_file.h"
-#include "io/image.h"
+#include "io/png.h"
 #include "io/start_simulation.h"
+#include "models/grains.h"
 #include "render/gl_context.h"
 
 namespace erg {
@@ -43,16 +45,25 @@ std::int64_t last_step(const RenderRequest& request, const Simulation& simulatio
   return is_checkpoint(request.source) ? simulation.step_count() : simulation.config().run.integer("steps");
 }
 
+/// What shows what steps do has to see so many of them.
+void check_steps(const RenderRequest& request, const Simulation& simulation, const std::string& option, int steps) {
+  if (last_step(request, simulation) > simulation.step_count()) return;
+  throw InputError(option, "shows what the last steps do, and here none are done",
+                   "ask for more, such as --steps " + std::to_string(simulation.step_count() + steps));
+}
+
 /// A wrong option should be known before the run, not after it.
 void check_picture(const RenderRequest& request, Simulation& simulation) {
   const bool flux = shows_flux(request.picture);
   simulation.watch_flux(flux);
   plan_picture(request.picture, RunView(simulation).view());
   simulation.watch_flux(false);
-  if (!flux || last_step(request, simulation) > simulation.step_count()) return;
-  throw InputError(
-      "--look flux", "shows what the last steps have moved, and here none are done",
-      "ask for more, such as --steps " + std::to_string(simulation.step_count() + FluxWatch::steps_of_mean));
+  if (flux) check_steps(request, simulation, "--look flux", FluxWatch::steps_of_mean);
+  if (request.paths == 0) return;
+  if (dynamic_cast<const GrainModel*>(&simulation.model()) == nullptr) {
+    throw InputError("--paths", "the model " + simulation.config().model + " moves no single grains", "leave it out");
+  }
+  check_steps(request, simulation, "--paths", 1);
 }
 
 /// Steps to the state that the picture shows. False when interrupted.
@@ -73,6 +84,7 @@ bool grow(const RenderRequest& request, Simulation& simulation) {
 }
 
 ExitCode render(const RenderRequest& request) {
+  check_folder_of("--out", request.out);
   Simulation simulation = start(request);
   simulation.keep_paths(request.paths);
   const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);

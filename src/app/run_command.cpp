@@ -1,7 +1,6 @@
 // `erg run`: grows dunes from a config.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -10,6 +9,7 @@
 #include "app/interrupt.h"
 #include "app/measured_run.h"
 #include "app/notice.h"
+#include "app/output_folder.h"
 #include "app/progress.h"
 #include "app/run_output.h"
 #include "app/run_setup.h"
@@ -80,13 +80,6 @@ ExitCode stop_early(const RunRequest& request, Simulation& simulation, RunOutput
   return exit_failed;
 }
 
-/// A wrong path for the numbers should be known before the run, not after it.
-void check_stats_path(const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  if (path.empty() || folder.empty() || std::filesystem::is_directory(folder)) return;
-  throw InputError("--stats " + path, "there is no folder " + folder.string(), "make it first");
-}
-
 /// The same error, with the way on from the last checkpoint.
 [[noreturn]] void fail_with_way_on(const WriteError& error, const RunRequest& request, const RunOutput& output) {
   std::vector<Mistake> mistakes = error.mistakes();
@@ -123,7 +116,7 @@ void check_flux(const RunRequest& request) {
 }
 
 ExitCode run(const RunRequest& request, const PictureRequest& picture) {
-  check_stats_path(request.stats);
+  check_folder_of("--stats", request.stats);
   check_flux(request);
   Simulation simulation = start_simulation(request);
   std::unique_ptr<RunOutput> output;

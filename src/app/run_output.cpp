@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/output_folder.h"
 #include "io/checkpoint.h"
 #include "io/heightmap.h"
 #include "io/mesh.h"
@@ -21,14 +22,6 @@ std::vector<std::string> table_columns() {
   std::vector<std::string> keys;
   for (const RunNumber& number : run_numbers()) keys.push_back(number.key);
   return keys;
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (!failed && fs::is_directory(folder)) return;
-  throw InputError("--out " + folder.string(), "cannot make this folder" + (failed ? ": " + failed.message() : ""),
-                   "give a folder that can be written");
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/output_folder.h"
 #include "app/validation.h"
+#include "core/errors.h"
 #include "io/atomic_file.h"
 #include "io/provenance.h"
 
@@ -33,6 +35,11 @@ std::vector<std::string> section_names() {
   return names;
 }
 
+void check_scene(const std::string& scene, const std::string& section) {
+  if (scene.empty() || section == "published") return;
+  throw InputError("--scene " + scene, "is a row of the section published", "add --section published");
+}
+
 std::string validation_document(const ValidationOptions& options) {
   const std::string command = options.quick ? "erg validate --quick" : "erg validate";
   std::string document =
@@ -54,13 +61,14 @@ void add_validate_command(CLI::App& program, Action& action) {
       program.add_subcommand("validate", "Measure what is in print beside this program's figures (long)");
   command->add_flag("--quick", options->validation.quick, "Fewer seeds and steps, only the small scenes");
   command->add_option("--out", options->out, "Markdown file to write (default: print)");
-  CLI::Option* section = command->add_option("--section", options->section, "Only this section of the document")
-                             ->check(CLI::IsMember(section_names()));
+  command->add_option("--section", options->section, "Only this section of the document")
+      ->check(CLI::IsMember(section_names()));
   command->add_option("--scene", options->validation.scene, "With --section published: only the row of this preset")
-      ->check(CLI::IsMember(published_presets()))
-      ->needs(section);
+      ->check(CLI::IsMember(published_presets()));
   command->callback([&action, options] {
     action = [options] {
+      check_scene(options->validation.scene, options->section);
+      check_folder_of("--out", options->out);
       std::string document;
       for (const Section& section : sections) {
         if (options->section == section.name) document = section.measure(options->validation);

@@ -69,16 +69,13 @@ std::string plants_section(const ValidationOptions& options) {
   return "## Shapes of dunes among plants\n\nThe presets of `cfg/` on `cpu`, mean over " + count_text(seeds, "seed") +
          ", spread over the seeds in brackets. A dune is a patch of at least " + std::to_string(smallest_dune) +
          " cells whose sand is as thick as the third column says; length along the wind, width across it. Arms: mean "
-         "of "
-         "x y^2 over its spreads, x downwind and y across from the dune's middle; negative where the sides lie upwind "
-         "of the middle (parabolic), positive where they lie downwind (barchan), 0 for an ellipse.\n\n" +
+         "of x y^2 over its spreads, x downwind and y across from the dune's middle; negative where the sides lie "
+         "upwind of the middle (parabolic), positive where they lie downwind (barchan), 0 for an ellipse.\n\n" +
          table.markdown() +
          "\n**Parabolic arms are weak on 256 x 256 cells at step 1500**: single dunes have them, their mean hardly "
-         "differs "
-         "from land without plants. Around a smaller torus, where dunes come by more often in as many steps, they are "
-         "clear. Nebkhas, longer than wide, are no longer than the bare dunes beside them; blowouts have arms that "
-         "every "
-         "seed shows.\n";
+         "differs from land without plants. Around a smaller torus, where dunes come by more often in as many steps, "
+         "they are clear. Nebkhas, longer than wide, are no longer than the bare dunes beside them; blowouts have arms "
+         "that every seed shows.\n";
 }
 
 }  // namespace erg

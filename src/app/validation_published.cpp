@@ -73,8 +73,7 @@ std::string published_section(const ValidationOptions& options) {
     table.rows.push_back(row);
   }
   return "## Thickest column, in slabs, beside print\n\nPrinted figures: one run each of another program (Cimbura "
-         "2022, "
-         "tables 6.1 to 6.7). Ours: mean over " +
+         "2022, tables 6.1 to 6.7). Ours: mean over " +
          count_text(seeds, "seed") + ", spread over the seeds in brackets.\n\n" + table.markdown();
 }
 

@@ -109,9 +109,9 @@ std::string executors_section(const ValidationOptions& options) {
   }
   return "## `serial` and `cpu`\n\nAfter " + std::to_string(watch.back()) + " steps, mean over " +
          count_text(seeds, "seed") +
-         ", spread over the seeds in brackets; `cpu` with K 16. sd: standard deviation of height, slabs; max: "
-         "thickest column, slabs; bare, shadow: share of cells; wavelength: cells; migration: cells a step. Bold: a "
-         "difference above 5% that the larger of the two spreads does not cover.\n\n" +
+         ", spread over the seeds in brackets; `cpu` with K 16. sd: standard deviation of height, slabs; max: thickest "
+         "column, slabs; bare, shadow: share of cells; wavelength: cells; migration: cells a step. Bold: a difference "
+         "above 5% that the larger of the two spreads does not cover.\n\n" +
          table.markdown();
 }
 
@@ -149,14 +149,13 @@ std::string bearings_section(const ValidationOptions& options) {
   }
   return "## Oblique winds\n\nMomiji barchans, 3 slabs a cell, " + side + " x " + side + " cells, " + steps +
          " steps on `cpu` with K 16, mean over " + count_text(seeds, "seed") +
-         ". sd: standard deviation of height, slabs; speed of migration, cells a step; direction off: between "
-         "the direction of migration and the wind, degrees. \"of 270\": against the west wind.\n\n" +
+         ". sd: standard deviation of height, slabs; speed of migration, cells a step; direction off: between the "
+         "direction of migration and the wind, degrees. \"of 270\": against the west wind.\n\n" +
          table.markdown() +
          "\nNon-repeated polling is not isotropic: where a row above stands far from 100%, that is by how much. Along "
-         "the "
-         "grid every hop is the same whole number of cells and every cell is polled exactly once, a regularity that "
-         "keeps dunes small; an oblique wind rounds its hops at random, which breaks it (our explanation, not proven). "
-         "Use repeated polling where the bearing must not matter.\n";
+         "the grid every hop is the same whole number of cells and every cell is polled exactly once, a regularity "
+         "that keeps dunes small; an oblique wind rounds its hops at random, which breaks it (our explanation, not "
+         "proven). Use repeated polling where the bearing must not matter.\n";
 }
 
 }  // namespace erg

@@ -4,16 +4,15 @@
 #include <numeric>
 #include <utility>
 
+#include "core/joined.h"
+
 namespace erg {
 namespace {
 
-std::string join(const std::vector<Mistake>& mistakes) {
-  std::string all;
-  for (const Mistake& mistake : mistakes) {
-    if (!all.empty()) all += '\n';
-    all += mistake.text();
-  }
-  return all;
+std::string lines(const std::vector<Mistake>& mistakes) {
+  std::vector<std::string> texts;
+  for (const Mistake& mistake : mistakes) texts.push_back(mistake.text());
+  return joined(texts, "\n");
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -40,7 +39,7 @@ std::string Mistake::text() const {
 }
 
 InputError::InputError(std::vector<Mistake> mistakes)
-    : std::runtime_error(join(mistakes)), mistakes_(std::move(mistakes)) {}
+    : std::runtime_error(lines(mistakes)), mistakes_(std::move(mistakes)) {}
 
 InputError::InputError(std::string place, std::string problem, std::string remedy)
     : InputError(std::vector<Mistake>{{std::move(place), std::move(problem), std::move(remedy)}}) {}
@@ -74,9 +73,7 @@ std::string nearest_word(std::string_view word, std::span<const std::string> can
 
 std::string suggestion(std::string_view word, std::span<const std::string> candidates) {
   if (const std::string near = nearest_word(word, candidates); !near.empty()) return "did you mean \"" + near + "\"?";
-  std::string all;
-  for (const std::string& candidate : candidates) all += (all.empty() ? "" : ", ") + candidate;
-  return "expected one of " + all;
+  return "expected one of " + joined(candidates, ", ");
 }
 
 }  // namespace erg

@@ -55,8 +55,6 @@ Colour Palette::at(double t) const {
   return blend(points[below], points[below + 1], position - static_cast<double>(below));
 }
 
-std::span<const Palette> palettes() { return table(); }
-
 const std::vector<std::string>& palette_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
@@ -71,7 +69,5 @@ const Palette& find_palette(std::string_view name) {
   if (found != table().end()) return *found;
   throw InputError("palette", "there is no palette " + in_quotes(name), suggestion(name, palette_names()));
 }
-
-Colour palette_colour(std::string_view name, double t) { return find_palette(name).at(t); }
 
 }  // namespace erg

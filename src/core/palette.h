@@ -1,7 +1,6 @@
 // Colour palettes, declared once: pictures, the OpenGL renderer and the window all draw from this table.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,16 +29,10 @@ struct Palette {
   Colour at(double t) const;
 };
 
-/// Every palette, in the order people should meet them.
-std::span<const Palette> palettes();
-
-/// The names of all palettes, in the same order.
+/// The names of all palettes, in the order people should meet them.
 const std::vector<std::string>& palette_names();
 
 /// The palette of this name; throws InputError with the nearest name.
 const Palette& find_palette(std::string_view name);
-
-/// The colour at t in the palette of this name; throws InputError for an unknown name.
-Colour palette_colour(std::string_view name, double t);
 
 }  // namespace erg

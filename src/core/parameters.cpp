@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/exact_text.h"
+#include "core/joined.h"
 
 namespace erg {
 namespace {
@@ -222,9 +223,7 @@ std::string accepted_text(const Parameter& parameter) {
     case ParameterKind::choice:
       break;
   }
-  std::string all;
-  for (const std::string& choice : parameter.choices) all += (all.empty() ? "" : ", ") + choice;
-  return all;
+  return joined(parameter.choices, ", ");
 }
 
 ParameterValues::ParameterValues(Parameters declared) : declared_(std::move(declared)) {

@@ -5,14 +5,17 @@
 namespace erg {
 
 SurfaceRange surface_range(const Terrain& terrain) {
+  const auto bedrock = terrain.bedrock().cells();
+  const auto mobile = terrain.mobile().cells();
   SurfaceRange range{terrain.height(0, 0), terrain.height(0, 0)};
-  for (int y = 0; y < terrain.ny(); ++y) {
-    for (int x = 0; x < terrain.nx(); ++x) {
-      range.low = std::min(range.low, terrain.height(x, y));
-      range.high = std::max(range.high, terrain.height(x, y));
-    }
+  for (std::size_t cell = 0; cell < bedrock.size(); ++cell) {
+    const std::int32_t height = bedrock[cell] + mobile[cell];
+    range.low = std::min(range.low, height);
+    range.high = std::max(range.high, height);
   }
   return range;
 }
+
+std::int32_t lowest_bedrock(const Terrain& terrain) { return *std::ranges::min_element(terrain.bedrock().cells()); }
 
 }  // namespace erg

@@ -1,4 +1,4 @@
-// The lowest and the highest point of a surface.
+// How far up and down a terrain's columns reach.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,13 @@
 namespace erg {
 
 struct SurfaceRange {
-  std::int32_t low = 0;  ///< quanta
-  std::int32_t high = 0;
+  std::int32_t low = 0;   ///< quanta: the lowest point of the surface
+  std::int32_t high = 0;  ///< quanta: its highest point
 };
-/// Of the surface. The terrain must have a cell.
+/// The terrain must have a cell.
 SurfaceRange surface_range(const Terrain& terrain);
+
+/// Quanta. The terrain must have a cell.
+std::int32_t lowest_bedrock(const Terrain& terrain);
 
 }  // namespace erg

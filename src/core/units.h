@@ -10,6 +10,13 @@ namespace erg {
 inline double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 inline double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
+/// The same bearing (degrees) in [0, 360).
+inline double fold_bearing(double degrees) {
+  const double rest = std::fmod(degrees, 360.0);
+  const double folded = rest < 0 ? rest + 360 : rest;
+  return folded < 360 ? folded + 0.0 : 0.0;  // a tiny negative angle rounds up to 360; -0 becomes 0
+}
+
 /// The largest height step between neighbouring cells that still stands, in quanta, for an angle in degrees: a quantum
 /// slides while the step exceeds it. tan(angle) * cell_size / quantum, rounded up (30 deg and slabs of a third of a
 /// cell give 2, 33.7 deg gives 3).

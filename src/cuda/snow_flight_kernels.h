@@ -106,7 +106,7 @@ class SnowLine {
     const std::uint64_t arriving = waiting;
     if (!lifts && arriving == 0) return;
     const std::int32_t here = cell_of(plan_, number_, row);
-    const std::uint64_t row_word = snow_row_word(sweep.key, row);
+    const std::uint64_t row_word = flight_row_word(sweep.key, row);
     SnowCell cell = plan_.cells[here];
     if (lifts) {
       cell.snow = without_slab(cell.snow);

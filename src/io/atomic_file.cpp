@@ -1,13 +1,13 @@
 #include "io/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <string>
-#include <utility>
 
 #include "core/errors.h"
 
@@ -62,23 +62,44 @@ class OpenFile {
   int descriptor_;
 };
 
-/// A new file beside the wanted one; removed again unless it was renamed.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const fs::path& target) : target_(target) {
-    // A name may be taken by another writer, or by one that was killed: then the next one.
-    for (int attempt = 0; descriptor_ < 0 && attempt < 100; ++attempt) {
-      name_ = target.string() + ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-      descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor_ < 0 && errno != EEXIST) break;
-    }
-    if (descriptor_ < 0) fail_to_write(target_);
+bool same_file(const struct stat& one, const struct stat& other) {
+  return one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+}
+
+/// Opens a file that nobody else writes to, made when missing; -1 when somebody does, or when it cannot be opened.
+int open_alone(const std::string& name) {
+  while (true) {
+    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file < 0) return -1;
+    const bool taken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    struct stat opened {};
+    struct stat named {};
+    // A writer that ended in the meantime has taken the file away, or given it its own name.
+    const bool there = ::fstat(file, &opened) == 0 && ::stat(name.c_str(), &named) == 0 && same_file(opened, named);
+    if (!taken && there) return file;
+    ::close(file);
+    if (!taken) continue;
+    errno = EWOULDBLOCK;
+    return -1;
   }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+/// The unfinished file beside the wanted one, locked as long as it is written; removed again unless it was renamed.
+class UnfinishedFile {
+ public:
+  explicit UnfinishedFile(const fs::path& target) : target_(target) {
+    // A name is taken while another writer lives. One that was killed has left its lock, and its file is written over.
+    for (int attempt = 0; descriptor_ < 0 && attempt < 100; ++attempt) {
+      name_ = unfinished_name(target).string() + (attempt > 0 ? std::to_string(attempt) : "");
+      descriptor_ = open_alone(name_);
+    }
+    if (descriptor_ < 0 || ::ftruncate(descriptor_, 0) != 0) fail_to_write(target_);
+  }
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+  ~UnfinishedFile() {
     if (!renamed_) ::unlink(name_.c_str());
+    ::close(descriptor_);
   }
 
   void write(std::string_view content) {
@@ -88,9 +109,8 @@ class TemporaryFile {
   void become_target() {
     struct stat old {};
     if (::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor_, old.st_mode & 0777);  // else the usual permissions
-    const bool flushed = ::fsync(descriptor_) == 0;
-    const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
-    if (!flushed || !closed || ::rename(name_.c_str(), target_.c_str()) != 0) fail_to_write(target_);
+    // Closed only afterwards: until it has its name nobody else may write to it.
+    if (::fsync(descriptor_) != 0 || ::rename(name_.c_str(), target_.c_str()) != 0) fail_to_write(target_);
     renamed_ = true;
     flush_folder();
   }
@@ -113,6 +133,8 @@ class TemporaryFile {
 
 }  // namespace
 
+fs::path unfinished_name(const fs::path& target) { return target.string() + ".part-erg"; }
+
 void write_file_atomically(const fs::path& path, std::string_view content) {
   write_file_atomically(path, [content](const ByteSink& sink) { sink(content); });
 }
@@ -123,7 +145,7 @@ void write_file_atomically(const fs::path& path, const std::function<void(const 
     const OpenFile file(path, O_WRONLY);
     return write([&file](std::string_view content) { file.write(content); });
   }
-  TemporaryFile file(fs::is_symlink(path, none) ? fs::weakly_canonical(path) : path);
+  UnfinishedFile file(fs::is_symlink(path, none) ? fs::weakly_canonical(path) : path);
   write([&file](std::string_view content) { file.write(content); });
   file.become_target();
 }

@@ -15,6 +15,10 @@ class WriteError : public InputError {
   using InputError::InputError;
 };
 
+/// What a file is called until it is whole (a number follows where several programs write it at once). A writer that is
+/// killed leaves it behind; the next one writes over it.
+std::filesystem::path unfinished_name(const std::filesystem::path& target);
+
 /// Writes `content` to `path`: first into a new file beside it, flushed to the disk, then renamed over it. So a reader,
 /// or the next start after a power cut, sees the old file or the new one and nothing between. Folders must exist.
 /// A link stays a link; a device or a pipe (/dev/stdout) is written to, not replaced.

@@ -14,6 +14,7 @@
 #include "core/errors.h"
 #include "io/atomic_file.h"
 #include "io/config_file.h"
+#include "sim/memory.h"
 
 // The file: 8 magic bytes, the format's version (4 bytes), the payload, and the CRC-32 of everything before it (4
 // bytes). Numbers are little-endian; a text or an array is preceded by its length (8 bytes). Payload: config, step,
@@ -277,6 +278,7 @@ Saved read_checkpoint(const std::filesystem::path& path) {
   saved.state.step = in.number<std::int64_t>();
   if (saved.state.step < 0) in.refuse_damaged("its step is negative");
   saved.state.totals = read_totals(in);
+  check_memory({&saved.config, 1}, 0, free_memory());
   saved.state.terrain = read_terrain(in, saved.config);
   if (in.left() != 0) in.refuse_damaged("something follows its end");
   check_mass(in, saved.state.terrain);

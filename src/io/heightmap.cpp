@@ -7,8 +7,9 @@
 #include <string>
 
 #include "core/errors.h"
+#include "core/exact_text.h"
 #include "core/surface_range.h"
-#include "io/image.h"
+#include "io/png.h"
 
 // Only 8- and 16-bit pictures: the float formats would pull in functions of libm.
 #define STB_IMAGE_IMPLEMENTATION
@@ -23,12 +24,6 @@ namespace {
 // Pictures larger than the largest grid are refused before they are decoded.
 constexpr int largest_picture = 2 * largest_side;
 
-std::string metres_text(double metres) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", metres);
-  return text;
-}
-
 }  // namespace
 
 void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, const Provenance& provenance) {
@@ -41,9 +36,9 @@ void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, 
       image.pixels.push_back(static_cast<std::uint16_t>(std::lround((terrain.height(x, y) - low) * scale)));
     }
   }
-  MetadataEntries entries = {{"erg:low_m", metres_text(terrain.metres(low))},
-                             {"erg:high_m", metres_text(terrain.metres(high))},
-                             {"erg:cell_m", metres_text(terrain.cell_size())}};
+  MetadataEntries entries = {{"erg:low_m", exact_text(terrain.metres(low))},
+                             {"erg:high_m", exact_text(terrain.metres(high))},
+                             {"erg:cell_m", exact_text(terrain.cell_size())}};
   for (auto& entry : metadata(provenance)) entries.push_back(std::move(entry));
   write_png(path, image, entries);
 }

@@ -2,31 +2,24 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <sstream>
 #include <string>
 
 #include "core/errors.h"
 #include "core/surface_range.h"
 #include "io/atomic_file.h"
+#include "io/comments.h"
+#include "io/raw_bytes.h"
 
 namespace erg {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
 using Point = std::array<float, 3>;
 using Corners = std::array<std::uint32_t, 3>;
 
 constexpr int progress_rows = 32;  // rows between two calls of the progress
-
-template <typename T>
-void append(std::string& bytes, const T& value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
 
 Point corner(const Terrain& terrain, int x, int y) {
   return {static_cast<float>((x + 0.5) * terrain.cell_size()), static_cast<float>((y + 0.5) * terrain.cell_size()),
@@ -66,18 +59,6 @@ class RowWriter {
   int done_ = 0;
   std::string text_;
 };
-
-/// The provenance as lines that begin with `mark`.
-std::string comments(const std::string& mark, const Provenance& provenance) {
-  std::string all;
-  for (const auto& [name, text] : metadata(provenance)) {
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-      all.append(mark).append(name).append(": ").append(line).append("\n");
-    }
-  }
-  return all;
-}
 
 void append_number(std::string& text, float value) {
   char digits[32];
@@ -139,8 +120,8 @@ class Solid {
     Point normal{uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
     const float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
     for (float& part : normal) part = length > 0 ? part / length : 0;
-    for (const Point& point : {normal, a, b, c}) append(bytes, point);
-    append(bytes, std::uint16_t{0});
+    for (const Point& point : {normal, a, b, c}) append_raw(bytes, point);
+    append_raw(bytes, std::uint16_t{0});
   }
 
   const Terrain& terrain_;
@@ -187,15 +168,15 @@ void write_ply(const std::filesystem::path& path, const Terrain& terrain, const 
     RowWriter rows(sink, progress, 2 * terrain.ny() - 1);
     for (int y = 0; y < terrain.ny(); ++y, rows.end_row()) {
       for (int x = 0; x < terrain.nx(); ++x) {
-        append(rows.text(), corner(terrain, x, y));
-        append(rows.text(), static_cast<float>(terrain.metres(terrain.mobile()(x, y))));
+        append_raw(rows.text(), corner(terrain, x, y));
+        append_raw(rows.text(), static_cast<float>(terrain.metres(terrain.mobile()(x, y))));
       }
     }
     for (int y = 0; y + 1 < terrain.ny(); ++y, rows.end_row()) {
       for (int x = 0; x + 1 < terrain.nx(); ++x) {
         for (const Corners& triangle : square(terrain, x, y)) {
-          append(rows.text(), std::uint8_t{3});
-          append(rows.text(), triangle);
+          append_raw(rows.text(), std::uint8_t{3});
+          append_raw(rows.text(), triangle);
         }
       }
     }
@@ -211,7 +192,7 @@ void write_stl(const std::filesystem::path& path, const Terrain& terrain, const 
     std::string header = "erg " + provenance.version + ", " + provenance.model + ", seed " +
                          std::to_string(provenance.seed) + ", step " + std::to_string(provenance.step);
     header.resize(80, '\0');
-    append(header, solid.triangles());
+    append_raw(header, solid.triangles());
     sink(header);
     RowWriter rows(sink, progress, terrain.ny());
     for (int y = 0; y + 1 < terrain.ny(); ++y, rows.end_row()) solid.append_row(y, rows.text());

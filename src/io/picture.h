@@ -6,14 +6,14 @@
 #include <string>
 
 #include "core/terrain.h"
-#include "io/image.h"
+#include "io/png.h"
 #include "wind/regime.h"
 
 namespace erg {
 
 struct PictureOptions {
   int pixels = 1024;  ///< length of the longer side of the map, about: small grids are enlarged by whole factors
-  std::string palette = "sand";  ///< colours of the mobile layer by height, see palettes()
+  std::string palette = "sand";  ///< colours of the mobile layer by height, see palette_names()
   std::string field;             ///< key of a declared field to lay over the sand in its own palette; "": none
   double sun_bearing = 300;      ///< degrees: where the sun stands
   double sun_altitude = 30;      ///< degrees above the horizon

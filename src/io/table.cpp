@@ -4,36 +4,17 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "core/errors.h"
 #include "core/exact_text.h"
+#include "core/joined.h"
 #include "io/atomic_file.h"
+#include "io/comments.h"
 
 namespace erg {
 namespace {
-
-std::string joined(const std::vector<std::string>& columns) {
-  std::string line;
-  for (const std::string& column : columns) line.append(line.empty() ? "" : ",").append(column);
-  return line;
-}
-
-// The provenance as comment lines; a text of several lines becomes several comments.
-std::string comments(const Provenance& provenance) {
-  std::string all;
-  for (const auto& [name, text] : metadata(provenance)) {
-    std::istringstream lines(text);
-    std::string line;
-    all.append("# ").append(name).append(":");
-    const bool single = text.find('\n') == std::string::npos;
-    while (std::getline(lines, line)) all.append(single ? " " : "\n# ").append(line);
-    all += '\n';
-  }
-  return all;
-}
 
 /// Empty where the number is unknown.
 std::string cell_text(double value) { return std::isfinite(value) ? exact_text(value) : std::string(); }
@@ -61,7 +42,7 @@ double first_value(const std::string& row, std::size_t columns) {
 
 void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
                  const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
-  std::string text = comments(provenance) + joined(columns) + "\n";
+  std::string text = comments("# ", provenance) + joined(columns, ",") + "\n";
   for (const std::vector<double>& row : rows) text += row_text(row, columns.size());
   write_file_atomically(path, text);
 }
@@ -90,7 +71,7 @@ TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::
     }
     if (!header_seen && !line.starts_with('#')) {
       header_seen = true;
-      if (line != joined(columns)) {
+      if (line != joined(columns, ",")) {
         throw InputError(path.string(), "holds other columns than this run writes", "name another folder or remove it");
       }
     }

@@ -1,17 +1,15 @@
 #include "io/vti.h"
 
-#include <bit>
 #include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "io/atomic_file.h"
+#include "io/raw_bytes.h"
 
 namespace erg {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "values are written as they lie in memory");
 
 // One array of values at the cells' centres, written row by row.
 struct PointArray {
@@ -21,22 +19,17 @@ struct PointArray {
   std::function<void(int y, std::string& row)> append_row;
 };
 
-template <typename T>
-void append_value(std::string& bytes, T value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 PointArray metres_array(std::string name, const Terrain& terrain, std::function<std::int32_t(int, int)> quanta) {
   return {std::move(name), "Float32", 4, [&terrain, quanta = std::move(quanta)](int y, std::string& row) {
             for (int x = 0; x < terrain.nx(); ++x) {
-              append_value(row, static_cast<float>(terrain.metres(quanta(x, y))));
+              append_raw(row, static_cast<float>(terrain.metres(quanta(x, y))));
             }
           }};
 }
 
 PointArray field_array(const Field& field) {
   return {field.info.key, "Float32", 4, [&field](int y, std::string& row) {
-            for (const float value : field.values.row(y)) append_value(row, value);
+            for (const float value : field.values.row(y)) append_raw(row, value);
           }};
 }
 
@@ -48,7 +41,7 @@ std::vector<PointArray> arrays_of(const Terrain& terrain, const Grid<std::uint8_
       metres_array("bedrock", terrain, [&](int x, int y) { return terrain.bedrock()(x, y); })};
   if (shadow != nullptr) {
     arrays.push_back({"shadow", "UInt8", 1, [shadow](int y, std::string& row) {
-                        for (const std::uint8_t dark : shadow->row(y)) append_value(row, dark);
+                        for (const std::uint8_t dark : shadow->row(y)) append_raw(row, dark);
                       }});
   }
   for (const Field& field : terrain.fields()) arrays.push_back(field_array(field));
@@ -98,7 +91,7 @@ void write_vti(const std::filesystem::path& path, const Terrain& terrain, const 
     std::string row;
     for (const PointArray& array : arrays) {
       row.clear();
-      append_value(row, std::uint64_t{terrain.extent().cells() * array.value_bytes});
+      append_raw(row, std::uint64_t{terrain.extent().cells() * array.value_bytes});
       for (int y = 0; y < terrain.ny(); ++y) {
         array.append_row(y, row);
         sink(row);

@@ -2,7 +2,8 @@
 //
 // Physics: as Momiji et al. 2000, with the mean height replaced by h_ref = mean - (1 / 2N) * sum |h - mean| (their
 // effective flat surface; Cimbura 2022, eq. 4.2), so that sparse dunes speed the wind up as strongly as dense ones. The
-// publication turned the grid to turn the wind and lost up to 10 % of the sand; here the wind turns and none is lost.
+// publication turned the grid to turn the wind, and up to 10 % of the sand was lost or gained; here the wind turns and
+// every slab is accounted for.
 #pragma once
 
 #include "models/model.h"

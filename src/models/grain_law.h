@@ -23,7 +23,7 @@ double friction_velocity(const ParameterValues& values, double strength);
 /// Wind speed (m/s) at a height (m) over open ground under this friction velocity.
 double profile_speed(const ParameterValues& values, double friction_velocity, double height);
 
-/// The law for one wind on a grid.
+/// The law for one wind on a grid with cells of this size (m).
 GrainLaw grain_law(const ParameterValues& values, const WindNow& wind, const WindFrame& frame, double cell_size);
 
 }  // namespace erg

@@ -28,6 +28,7 @@ namespace erg {
 /// Key of the layer of plants that the model declares; that of bonded grains is `bonded_field`.
 inline constexpr const char* plants_field = "vegetation";
 
+/// The model at work.
 class GrainModel : public Model {
  public:
   explicit GrainModel(ParameterValues values);

@@ -27,15 +27,18 @@ struct ModelStart {
 
 /// What a model is, for people.
 struct ModelInfo {
-  std::string key;                     ///< name in configs and on the command line
-  std::string title;                   ///< "Momiji et al. 2000"
-  std::string citation;                ///< the publication
-  std::string makes;                   ///< what it makes
-  std::string leaves_out;              ///< what it does not model
-  std::string step;                    ///< what one time step means
-  std::string strength_label;          ///< what the wind's strength is: "hop length, cells"
+  std::string key = {};                ///< name in configs and on the command line
+  std::string title = {};              ///< "Momiji et al. 2000"
+  std::string citation = {};           ///< the publication
+  std::string makes = {};              ///< what it makes
+  std::string leaves_out = {};         ///< what it does not model
+  std::string step = {};               ///< what one time step means
+  std::string strength_label = {};     ///< what the wind's strength is: "hop length, cells"
   Material material = Material::sand;  ///< what it moves
   ModelStart start = {};
+  std::string steps_a_year = {};    ///< key of the parameter that holds how many steps are a year; "": there is none
+  std::string seconds_a_step = {};  ///< key of the parameter that holds the real time of a step, s; "": there is none
+  std::vector<std::string> painted = {};  ///< keys of the fields that people may paint
 };
 
 /// What the beginning of a run may need besides the terrain.
@@ -58,7 +61,7 @@ class Model {
  public:
   virtual ~Model() = default;
 
-  /// Called before `begin`, which it outlives.
+  /// Called before `begin`. What the argument points to lives until `begin` is over.
   virtual void prepare(const Beginning&) {}
 
   /// Height of one quantum in m.
@@ -66,6 +69,8 @@ class Model {
   /// Prepares the terrain before the first step (declared fields); also called when a run is resumed, then with fields
   /// already there.
   virtual void begin(Terrain& terrain) = 0;
+  /// People have edited the terrain: brings up to date the fields that follow from what they did.
+  virtual void edited(Terrain&) {}
   /// One time step.
   virtual StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) = 0;
   /// The fall of the wind shadow in quanta a cell, for pictures and numbers.
@@ -89,7 +94,7 @@ struct ModelType {
   std::function<std::vector<std::string>(const ParameterValues&, double cell_size)> explain;
 };
 
-/// Every model, in the order people should meet them.
+/// Every model, in the order people should meet them (catalogue.cpp).
 const std::deque<ModelType>& catalogue();
 
 /// Adds a model to the catalogue of this program, at its end: for a program that links the library and brings a model

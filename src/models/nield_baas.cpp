@@ -47,9 +47,11 @@ class NieldBaas : public SlabModel {
     plants_->begin(terrain, std::exchange(beginning_.picture, nullptr));
   }
 
+  void edited(Terrain& terrain) override { plants_->cover(terrain); }
+
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
-    law.erode_in_shadow = values().boolean("lift_in_shadow");
+    law.lift_in_shadow = values().boolean("lift_in_shadow");
     law.covered = StandingSteps::of_angle(values().real("vegetated_repose_angle"), terrain.cell_size(), quantum());
     law.covered_from = static_cast<std::uint8_t>(values().real("repose_from") * 255 + 0.5);
     law.cover = &plants_->cover(terrain);
@@ -76,8 +78,10 @@ ModelType nield_baas() {
                        "a cellular automaton modelling approach. Earth Surface Processes and Landforms 33, 724-740.",
            .makes = "nebkhas, parabolic dunes, blowouts, dunes around islands of plants",
            .leaves_out = "water, seasons of growth, roots; wind speed-up over dunes",
-           .step = "one step polls as many cells as the grid has; steps_per_year of them are a year",
-           .strength_label = "hop length, cells"},
+           .step = std::string(slab_step) + "; steps_per_year of them are a year",
+           .strength_label = slab_strength,
+           .steps_a_year = "steps_per_year",
+           .painted = painted_plants()},
           nield_baas_parameters(),
           plant_fields(),
           [](const ParameterValues& values) { return std::make_unique<NieldBaas>(values); },

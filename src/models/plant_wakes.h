@@ -9,8 +9,9 @@
 
 namespace erg {
 
-/// The share of the wind that these plants leave in each cell of the frame (1 without plants): next to nothing
-/// where a plant stands, less and less taken away along the wake behind it.
+/// The share of the wind that these plants leave in each cell of the frame (1 without plants): least where a plant
+/// stands, more and more along the wake behind it. `values`: of grain_parameters(). `plants`: the share of each of the
+/// terrain's cells that plants cover, 0 to 1.
 std::vector<float> plant_shelter(const ParameterValues& values, const Terrain& terrain, const Grid<float>& plants,
                                  const WindFrame& frame);
 

@@ -127,6 +127,12 @@ std::vector<FieldInfo> plant_fields() {
   return fields;
 }
 
+std::vector<std::string> painted_plants() {
+  std::vector<std::string> keys;
+  for (const SpeciesInfo& info : species_infos()) keys.emplace_back(info.key);
+  return keys;
+}
+
 Plants::Plants(const ParameterValues& values, std::uint64_t seed)
     : kind_(values.text("vegetation")),
       scatter_(kind_ == "random" || values.boolean("scatter")),

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "core/parameters.h"
 #include "core/random.h"
@@ -19,9 +21,13 @@ namespace erg {
 Parameters plant_parameters();
 /// The layers that plants need.
 std::vector<FieldInfo> plant_fields();
+/// Keys of those that people may paint: each species by itself.
+std::vector<std::string> painted_plants();
 
+/// The plants of one run.
 class Plants {
  public:
+  /// `values`: of plant_parameters(). `seed`: of the run.
   Plants(const ParameterValues& values, std::uint64_t seed);
 
   /// Adds the fields to a terrain without them. `picture`: share of the start values in each cell for *image*; null:
@@ -29,6 +35,7 @@ class Plants {
   void begin(Terrain& terrain, const Grid<float>* picture);
   /// What acts on the slabs, 255 for rho = 1; read anew where somebody edited the fields. Its revision changes with it.
   const CoverField& cover(Terrain& terrain);
+  /// SlabLaw::cover_revision.
   std::uint64_t cover_revision() const { return cover_revision_; }
   /// The yearly change, from a terrain that is up to date. True where nothing can move any more, now or later: sand
   /// lies only under plants that hold all of it, and these change no more.

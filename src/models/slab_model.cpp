@@ -86,7 +86,7 @@ SlabLaw SlabModel::law(const Terrain& terrain) const {
   law.p_sand = values_.real("p_sand");
   law.p_bare = values_.real("p_bare");
   law.shadow_fall = shadow_fall(terrain.cell_size());
-  law.erode_in_shadow = family_.erode_in_shadow;
+  law.lift_in_shadow = family_.lift_in_shadow;
   law.bare = law.covered = standing_steps(values_, terrain.cell_size());
   law.neighbours = values_.text("neighbours") == "8" ? 8 : 4;
   law.repeated_polling = values_.text("polling") == "repeated";
@@ -101,8 +101,8 @@ StepReport SlabModel::step(Terrain& terrain, const WindNow& wind, StepKey key, E
 }
 
 ModelType slab_model_type(ModelInfo info, SlabFamily family) {
-  info.step = "one step polls as many cells as the grid has";
-  info.strength_label = "hop length, cells";
+  info.step = slab_step;
+  info.strength_label = slab_strength;
   return {std::move(info),
           slab_parameters(family),
           {},

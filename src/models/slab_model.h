@@ -5,10 +5,14 @@
 
 namespace erg {
 
+/// What a time step and the wind's strength are in models of this family (ModelInfo).
+inline constexpr const char* slab_step = "one step polls as many cells as the grid has";
+inline constexpr const char* slab_strength = "hop length, cells";
+
 /// Which parts of the slab law a model of this family uses.
 struct SlabFamily {
-  double repose_angle = 30;     ///< default, degrees
-  bool erode_in_shadow = true;  ///< Werner lifts sand in the lee, the others do not
+  double repose_angle = 30;    ///< default, degrees
+  bool lift_in_shadow = true;  ///< Werner lifts sand in the wind shadow, the others do not
   bool hop_grows_with_height = false;
   double deviation_weight = 0;       ///< of HopLaw
   double slab_height = 1.0 / 3;      ///< default, m
@@ -18,10 +22,11 @@ struct SlabFamily {
 /// The declarations that every model of the family has; with `linear` and `quadratic` where the hop grows with height.
 Parameters slab_parameters(const SlabFamily& family);
 
-/// Publishes what the values mean on a grid: the repose in slabs, the fall of the shadow line.
+/// What the values mean on a grid with cells of this size (m), in words: the repose in slabs, the fall of the shadow
+/// line.
 std::vector<std::string> explain_slabs(const ParameterValues& values, double cell_size);
 
-/// A model that is nothing but its law.
+/// A model that is nothing but its law. Those that do more derive from it.
 class SlabModel : public Model {
  public:
   SlabModel(const SlabFamily& family, ParameterValues values);
@@ -35,14 +40,14 @@ class SlabModel : public Model {
   SlabLaw law(const Terrain& terrain) const;
 
  protected:
-  const ParameterValues& values() const { return values_; }
+  const ParameterValues& values() const { return values_; }  ///< of the model's parameters
 
  private:
   SlabFamily family_;
   ParameterValues values_;
 };
 
-/// The catalogue entry of a model of this family.
+/// The catalogue entry of a model of this family that is nothing but its law; says what step and strength are.
 ModelType slab_model_type(ModelInfo info, SlabFamily family);
 
 }  // namespace erg

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace erg {
 
-/// Fresh snow, kg/m3. `temperature` in deg C.
+/// Density of fresh snow, kg/m3. `temperature` in deg C.
 /// Alta: 50 + 1.7 (T + 15)^1.5 above -15 deg C, else 50 (LaChapelle 1961 in Anderson 1976).
 double fresh_density_alta(double temperature);
-/// 67.92 + 51.25 exp(T / 2.59) (Hedstrom & Pomeroy 1998).
+/// The same as 67.92 + 51.25 exp(T / 2.59) (Hedstrom & Pomeroy 1998).
 double fresh_density_hedstrom_pomeroy(double temperature);
 
 /// A class of seasonal snow: rho = (most - first) (1 - exp(-by_depth h - by_day day)) + first (Sturm et al. 2010).
@@ -25,6 +23,7 @@ struct SnowClass {
   /// Density in kg/m3 of snow of this depth (cm) on this day of the winter.
   double density(double depth, double day) const;
 };
+/// All of them.
 const std::array<SnowClass, 5>& snow_classes();
 
 }  // namespace erg

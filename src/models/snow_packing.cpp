@@ -12,7 +12,7 @@
 namespace erg {
 namespace {
 
-constexpr SlabFamily family{.repose_angle = 30, .erode_in_shadow = true};
+constexpr SlabFamily family{};  // Werner's
 
 /// Fitted: snow at -20 deg C, Alta and tundra, is frozen after 98 days, as in print.
 constexpr double fitted_rate = 0.0247;
@@ -161,7 +161,7 @@ ModelType snow_packing() {
            .makes = "snow ripples that freeze day by day",
            .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
            .step = "a day; polls as many cells as the grid has",
-           .strength_label = "hop length, cells",
+           .strength_label = slab_strength,
            .material = Material::snow},
           snow_packing_parameters(),
           snow_packing_fields(),

@@ -31,11 +31,6 @@ Axes axes(const Camera& camera) {
 
 double half_height(const Camera& camera) { return camera.distance * std::tan(radians(0.5 * camera.opening)); }
 
-double fold(double bearing) {
-  const double rest = std::fmod(bearing, 360);
-  return rest < 0 ? rest + 360 : rest;
-}
-
 // The distance from which a length (m) fills the share `part` of the picture's height.
 double distance_for(double length, double part, double opening) {
   return 0.5 * length / part / std::tan(radians(0.5 * opening));
@@ -121,7 +116,7 @@ Sight sight(const Camera& camera, PicturePoint point, double aspect) {
 }
 
 void orbit(Camera& camera, double bearing, double altitude) {
-  camera.bearing = fold(camera.bearing + bearing);
+  camera.bearing = fold_bearing(camera.bearing + bearing);
   camera.altitude = std::clamp(camera.altitude + altitude, lowest_altitude, highest_altitude);
 }
 

@@ -26,8 +26,8 @@ void LandMaps::update(const LandRequest& request, std::vector<std::string>& note
   const bool read = view.version == 0 || view.version != version_ || shown != shown_;
   exaggeration_ = look.exaggeration;
   if (read) read_view(request, shown);
-  land_.low = height_range_.low * exaggeration_;
-  land_.high = height_range_.high * exaggeration_;
+  land_.low = view.terrain->metres(range_.low) * exaggeration_;
+  land_.high = view.terrain->metres(range_.high) * exaggeration_;
   const std::vector<SheetPlace> plan =
       plan_sheets({*view.terrain, request.effort, request.camera, land_, request.picture_height});
   if (plan.size() < sheets_.size()) sheets_.resize(plan.size());
@@ -56,7 +56,8 @@ void LandMaps::read_view(const LandRequest& request, const std::string& shown) {
   terrain_cell_ = terrain.cell_size();
   quantum_ = terrain.quantum();
   periodic_ = terrain.boundary() == Boundary::torus;
-  height_range_ = height_range(terrain);
+  range_ = surface_range(terrain);
+  bedrock_low_ = terrain.metres(lowest_bedrock(terrain));
   land_.east = extent_.nx * terrain_cell_;
   land_.north = extent_.ny * terrain_cell_;
   if (!request.look.is_material()) scale_ = value_scale(request.look, request.view);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/surface_range.h"
 #include "render/camera.h"
 #include "render/land_sheet.h"
 
@@ -35,7 +36,7 @@ class LandMaps {
   Extent cells() const { return extent_; }                          ///< of the terrain
   double cell_side() const { return cell_side_; }                   ///< m: of the finest that is drawn as one cell
   LandBox land() const { return land_; }                            ///< m, exaggerated
-  double bedrock_low() const { return height_range_.bedrock_low; }  ///< m: the lowest bedrock, not exaggerated
+  double bedrock_low() const { return bedrock_low_; }  ///< m: the lowest bedrock, not exaggerated
   bool has_plants() const;
   const ValueScale& scale() const { return scale_; }  ///< of the values shown
 
@@ -59,7 +60,8 @@ class LandMaps {
   double quantum_ = 1;
   bool periodic_ = true;
   double exaggeration_ = 1;
-  HeightRange height_range_;  // not exaggerated
+  SurfaceRange range_;
+  double bedrock_low_ = 0;
   LandBox land_;
   std::uint64_t version_ = 0;
   std::string shown_;

@@ -42,7 +42,6 @@ class LandSheet {
   double cell_side() const { return cell_side_; }  ///< m: of what is drawn as one cell
   Extent blocks() const;                           ///< columns and rows of it, without the apron
   std::array<double, 2> corner() const;            ///< m: south-west
-  bool has_field() const { return has_field_; }
   /// The blocks with plants, column and row: a buffer of two floats each.
   GLuint planted() const { return planted_.id(); }
   int planted_count() const { return has_plants_ ? planted_count_ : 0; }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace erg {
 namespace {
@@ -81,19 +80,6 @@ std::int64_t read_values(const Grid<float>& field, bool periodic, const LandWind
     }
   }
   return broken;
-}
-
-HeightRange height_range(const Terrain& terrain) {
-  std::int32_t low = std::numeric_limits<std::int32_t>::max(), bedrock_low = low;
-  std::int32_t high = std::numeric_limits<std::int32_t>::min();
-  const std::int32_t* const bedrock = terrain.bedrock().cells().data();
-  const std::int32_t* const mobile = terrain.mobile().cells().data();
-  for (std::size_t cell = 0; cell < terrain.mobile().size(); ++cell) {
-    low = std::min(low, bedrock[cell] + mobile[cell]);
-    high = std::max(high, bedrock[cell] + mobile[cell]);
-    bedrock_low = std::min(bedrock_low, bedrock[cell]);
-  }
-  return {terrain.quantum() * low, terrain.quantum() * high, terrain.quantum() * bedrock_low};
 }
 
 }  // namespace erg

@@ -31,12 +31,4 @@ void read_land(const Terrain& terrain, const LandWindow& window, std::vector<flo
 /// A field's value for each block, `missing_value` where a cell has none. Returns how many blocks have none.
 std::int64_t read_values(const Grid<float>& field, bool periodic, const LandWindow& window, std::vector<float>& values);
 
-/// The ends of what a terrain's columns reach.
-struct HeightRange {
-  double low = 0;          ///< m: of the surface
-  double high = 0;         ///< m: of the surface
-  double bedrock_low = 0;  ///< m: of the bedrock
-};
-HeightRange height_range(const Terrain& terrain);
-
 }  // namespace erg

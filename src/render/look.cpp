@@ -5,15 +5,15 @@
 #include <limits>
 
 #include "core/errors.h"
-#include "render/land_window.h"
+#include "core/marks.h"
+#include "core/surface_range.h"
 
 namespace erg {
 namespace {
 
 void check_number(const std::string& name, double value, double least, double most) {
   if (value >= least && value <= most) return;
-  const auto text = [](double number) { return std::to_string(number); };
-  throw InputError(name, "is " + text(value), "expected " + text(least) + " to " + text(most));
+  throw InputError(name, "is " + number_text(value), "expected " + number_text(least) + " to " + number_text(most));
 }
 
 struct Range {
@@ -59,8 +59,9 @@ ValueScale value_scale(const Look& look, const TerrainView& view) {
   if (look.show == "slope") return scale("slope", "deg", {0, 45}, palette("batlow"));
   const Field* const field = view.find_field(look.show);
   if (field == nullptr || look.is_material()) {
-    const HeightRange heights = height_range(*view.terrain);
-    return scale("height", "m", {heights.low, heights.high}, palette("RdYlGn"));
+    const SurfaceRange range = surface_range(*view.terrain);
+    const Range metres{view.terrain->metres(range.low), view.terrain->metres(range.high)};
+    return scale("height", "m", metres, palette("RdYlGn"));
   }
   Range range;
   for (const float value : field->values.cells()) range.take(value);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/errors.h"
+#include "core/surface_range.h"
 #include "core/units.h"
 #include "render/land_maps.h"
 #include "render/overlays.h"
@@ -152,9 +153,9 @@ void Renderer::set_effort(const RenderEffort& effort) { work_->effort = effort; 
 LandBox Renderer::land_of(const TerrainView& view, const Look& look) {
   if (is_empty(view)) return {};
   const Terrain& terrain = *view.terrain;
-  const HeightRange heights = height_range(terrain);
-  return {terrain.nx() * terrain.cell_size(), terrain.ny() * terrain.cell_size(), heights.low * look.exaggeration,
-          heights.high * look.exaggeration};
+  const SurfaceRange range = surface_range(terrain);
+  return {terrain.nx() * terrain.cell_size(), terrain.ny() * terrain.cell_size(),
+          terrain.metres(range.low) * look.exaggeration, terrain.metres(range.high) * look.exaggeration};
 }
 
 Picture Renderer::draw(const TerrainView& view, const Look& look, const Camera& camera, const PictureSize& size) {

@@ -31,7 +31,7 @@ struct ScenePainter::Air {
 namespace {
 
 bool is_snowy(const PaintRequest& request) {
-  return request.look.show == "snow" || (request.look.show == "material" && request.view.cover == Cover::snow);
+  return request.look.show == "snow" || (request.look.show == "material" && request.view.material == Material::snow);
 }
 
 // Rings of copies: as many as asked for, but no more tiles than can be chosen from at once.

@@ -1,16 +1,13 @@
 #include "render/terrain_view.h"
 
+#include <algorithm>
+
 namespace erg {
 
 const Field* TerrainView::find_field(const std::string& key) const {
-  for (const Field* field : fields) {
-    if (field->info.key == key) return field;
-  }
-  if (terrain == nullptr) return nullptr;
-  for (const Field& field : terrain->fields()) {
-    if (field.info.key == key) return &field;
-  }
-  return nullptr;
+  const auto own = std::ranges::find_if(fields, [&key](const Field* field) { return field->info.key == key; });
+  if (own != fields.end()) return *own;
+  return terrain == nullptr ? nullptr : erg::find_field(terrain->fields(), key);
 }
 
 std::vector<std::string> TerrainView::field_keys() const {

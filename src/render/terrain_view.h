@@ -7,19 +7,17 @@
 #include <vector>
 
 #include "core/grain_path.h"
+#include "core/material.h"
 #include "core/terrain.h"
 
 namespace erg {
-
-/// What the mobile layer is.
-enum class Cover { sand, snow };
 
 /// A const view; everything it points to must outlive the drawing.
 struct TerrainView {
   const Terrain* terrain = nullptr;
   std::vector<const Field*> fields;  ///< more fields besides the terrain's own: wind shadow, flux, age
   std::optional<double> wind;        ///< degrees: bearing of the wind, where it blows from
-  Cover cover = Cover::sand;
+  Material material = Material::sand;  ///< of the mobile layer
   std::vector<GrainPath> paths;
   /// Changes whenever anything here changes, so that an unchanged view costs nothing; 0: unknown, look at all of it.
   std::uint64_t version = 0;

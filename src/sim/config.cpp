@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/joined.h"
 #include "models/model.h"
 #include "transport/executor.h"
 #include "wind/bearing.h"
@@ -39,18 +40,12 @@ class Assignment {
     const std::vector<std::string> matches = full_keys_matching();
     if (matches.empty()) throw InputError(place_, "unknown key " + in_quotes(key_), suggestion(key_, possible_keys()));
     if (matches.size() > 1) {
-      throw InputError(place_, in_quotes(key_) + " is found in several groups", "say which: " + listed(matches));
+      throw InputError(place_, in_quotes(key_) + " is found in several groups", "say which: " + joined(matches, " or "));
     }
     set(matches.front());
   }
 
  private:
-  static std::string listed(const std::vector<std::string>& words) {
-    std::string all;
-    for (const std::string& word : words) all += (all.empty() ? "" : " or ") + word;
-    return all;
-  }
-
   /// "grid.nx" ... of every value that can be set in a group.
   std::vector<std::string> full_keys() const {
     std::vector<std::string> keys{"wind.bearing", "wind.strength", "temperature.first", "temperature.last"};

@@ -75,6 +75,11 @@ StepReport Simulation::step() {
   return report;
 }
 
+void Simulation::keep_paths(int count) {
+  paths_wanted_ = count;
+  model_->keep_paths(count);
+}
+
 void Simulation::watch_flux(bool wanted) {
   if (wanted == (flux_ != nullptr)) return;
   flux_ = wanted ? std::make_unique<FluxWatch>(state_.terrain.extent()) : nullptr;
@@ -95,6 +100,7 @@ void Simulation::book_edit() {
   MassLedger& ledger = state_.terrain.ledger();
   const std::int64_t change = state_.terrain.total_mobile() - ledger.expected();
   (change >= 0 ? ledger.in : ledger.out) += change >= 0 ? change : -change;
+  model_->edited(state_.terrain);
   wake();
 }
 
@@ -110,6 +116,7 @@ void Simulation::change(Config config) {
   executor_ = std::move(executor);
   if (flux_) executor_->count_lifts(&flux_->counts());
   begin_model(nullptr);
+  model_->keep_paths(paths_wanted_);
   wake();
 }
 

@@ -35,8 +35,8 @@ class Simulation {
   const Config& config() const { return config_; }
   const ModelType& model_type() const { return *type_; }
   const Model& model() const { return *model_; }
-  /// Keeps the ways of about so many grains of every step to come (Model::keep_paths).
-  void keep_paths(int count) { model_->keep_paths(count); }
+  /// Keeps the ways of about so many grains of every step to come (Model::keep_paths), under other configs too.
+  void keep_paths(int count);
   /// From the next step on counts how many quanta are lifted from each cell, for `flux`; false: no longer. Steps take
   /// somewhat longer; what they do does not change.
   void watch_flux(bool wanted);
@@ -57,7 +57,7 @@ class Simulation {
   /// The terrain, up to date.
   const Terrain& terrain();
   /// The terrain for editing (painting, events); book_edit, afterwards, books in the ledger what the edit added or
-  /// took.
+  /// took, and lets the model know (Model::edited).
   Terrain& edit_terrain();
   void book_edit();
   /// Goes on under another config from the next step on, as a run resumed from here would. A run that had come to its
@@ -78,6 +78,7 @@ class Simulation {
   std::unique_ptr<Executor> executor_;
   RunState state_;
   std::unique_ptr<FluxWatch> flux_;  // the executor counts there
+  int paths_wanted_ = 0;
 };
 
 }  // namespace erg

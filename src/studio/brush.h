@@ -21,8 +21,8 @@ struct Dab {
   double x = 0;       ///< cells east of the grid's western edge (a cell's centre lies at its index + 0.5)
   double y = 0;       ///< cells north of the southern edge
   double radius = 8;  ///< cells, smallest_brush to largest_brush
-  std::int32_t amount =
-      1;  ///< sand, rock: quanta at the middle, falling smoothly to none at the radius; negative takes away
+  /// Sand, rock: quanta at the middle, falling smoothly to none at the radius; negative takes away.
+  std::int32_t amount = 1;
   std::string field = {};  ///< field: its key
   double strength = 0;     ///< field: what is added at the middle, in the field's unit; kept within its range
 };

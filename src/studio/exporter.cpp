@@ -1,5 +1,6 @@
 #include "studio/exporter.h"
 
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <utility>
@@ -8,9 +9,9 @@
 #include "io/checkpoint.h"
 #include "io/config_file.h"
 #include "io/heightmap.h"
-#include "io/image.h"
 #include "io/mesh.h"
 #include "io/picture.h"
+#include "io/png.h"
 #include "io/table.h"
 #include "io/vti.h"
 #include "sim/memory.h"
@@ -67,11 +68,12 @@ const std::vector<Writer>& writers() {
        [](const auto& path, const auto& run, const auto& source, const auto&) {
          write_series(path, *run.series, source);
        }},
-      {{"checkpoint", "Checkpoint", ".checkpoint", "The whole run: it goes on from here to the same bits."},
+      {{"checkpoint", "Checkpoint", ".checkpoint", "The whole run: it goes on from here to the same bits.",
+        Keeps::land},
        [](const auto& path, const auto& run, const auto&, const auto&) {
          write_checkpoint(path, *run.config, run.state());
        }},
-      {{"json", "Config (JSON)", ".json", "What the run was set up with; `erg run` takes it."},
+      {{"json", "Config (JSON)", ".json", "What the run was set up with; `erg run` takes it.", Keeps::setup},
        [](const auto& path, const auto& run, const auto&, const auto&) { write_config(path, *run.config); }}};
   return all;
 }
@@ -85,6 +87,11 @@ const std::vector<ExportFormat>& export_formats() {
     return all;
   }();
   return formats;
+}
+
+Keeps kept_by(const std::string& format) {
+  const auto found = std::ranges::find(export_formats(), format, &ExportFormat::key);
+  return found == export_formats().end() ? Keeps::nothing : found->keeps;
 }
 
 void export_run(const fs::path& path, const std::string& format, const RunSnapshot& run,

@@ -14,18 +14,28 @@
 
 namespace erg {
 
+/// What of a run can be had again from a file.
+enum class Keeps {
+  nothing,
+  setup,  ///< the config
+  land    ///< everything, the config too
+};
+
 /// A kind of file that a run can be written as.
 struct ExportFormat {
   std::string key;      ///< "png16"
   std::string label;    ///< "Heightmap (16-bit PNG)"
   std::string ending;   ///< ".png"
   std::string meaning;  ///< what it holds and what reads it
+  Keeps keeps = Keeps::nothing;
 };
 /// All of them, in the order people should meet them.
 const std::vector<ExportFormat>& export_formats();
+/// What a file of the format with this key keeps; nothing where there is no such format.
+Keeps kept_by(const std::string& format);
 
-/// Writes one run of a snapshot. Throws InputError, or StoppedWriting when `progress` says to stop; then no file is
-/// left.
+/// Writes one run of a snapshot in the format of this key. Throws InputError, or StoppedWriting when `progress` says to
+/// stop; then no file is left.
 void export_run(const std::filesystem::path& path, const std::string& format, const RunSnapshot& run,
                 const WriteProgress& progress);
 

@@ -8,6 +8,7 @@
 
 namespace erg {
 
+/// A file or folder in a folder.
 struct FolderEntry {
   std::string name;
   std::filesystem::path path;
@@ -50,6 +51,7 @@ enum class SaveQuestion {
   is_folder,  ///< it is a folder itself
   no_name     ///< nothing was typed
 };
+/// Looks at the disk.
 SaveQuestion save_question(const std::filesystem::path& path);
 
 }  // namespace erg

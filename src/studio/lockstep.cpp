@@ -51,12 +51,14 @@ void Lockstep::take(std::vector<std::unique_ptr<Simulation>> runs) {
   Moment beginning = moment_of(runs);  // may not find the memory: then nothing has changed yet
   runs_ = std::move(runs);
   beginning_ = std::move(beginning);
+  worked_ = {};
 }
 
 void Lockstep::create(const std::vector<Config>& configs) {
   check_together(configs, [](const Config& config) { return config.wind; });
-  // Besides each run there are the state that reset goes back to and the one that is shown.
-  check_memory(configs, 2, free_memory());
+  // Besides each run there are the state that reset goes back to and up to three that are shown: in the window's hands,
+  // published since then, and in the making.
+  check_memory(configs, 4, free_memory());
   std::vector<std::unique_ptr<Simulation>> runs;
   for (const Config& config : configs) runs.push_back(std::make_unique<Simulation>(start_simulation(config)));
   take(std::move(runs));
@@ -83,6 +85,7 @@ void Lockstep::reset() {
   remember(0, 0);
   redo_.clear();
   go_to(beginning_);
+  worked_ = {};
 }
 
 Lockstep::Moment Lockstep::moment() const { return moment_of(runs_); }
@@ -96,8 +99,10 @@ void Lockstep::go_to(const Moment& moment) {
 }
 
 std::int64_t Lockstep::step() {
+  const auto begin = std::chrono::steady_clock::now();
   std::int64_t polls = 0;
   for (const auto& run : runs_) polls += run->step().polls;
+  worked_ += std::chrono::steady_clock::now() - begin;
   return polls;
 }
 
@@ -149,7 +154,7 @@ std::uint64_t Lockstep::last_stroke(std::size_t run) const {
 }
 
 void Lockstep::remember(std::uint64_t stroke, std::size_t run) {
-  undo_.push_back({stroke, run, step_count(), moment()});
+  undo_.push_back({stroke, run, step_count(), worked_, moment()});
   const auto too_much = [this] {
     std::size_t bytes = 0;
     for (const Edit& edit : undo_) bytes += bytes_of(edit.state);
@@ -169,8 +174,9 @@ bool Lockstep::redo() { return swap_with(redo_, undo_); }
 
 bool Lockstep::swap_with(std::deque<Edit>& from, std::deque<Edit>& to) {
   if (from.empty()) return false;
-  Edit present{from.back().stroke, from.back().run, step_count(), moment()};
+  Edit present{from.back().stroke, from.back().run, step_count(), worked_, moment()};
   go_to(from.back().state);
+  worked_ = from.back().worked;
   from.pop_back();
   to.push_back(std::move(present));
   return true;

@@ -1,6 +1,7 @@
 // The runs themselves, one to four, stepped together and edited with exact undo. No thread of its own.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -20,6 +21,7 @@ class Lockstep {
  public:
   /// The runs' states at one moment.
   using Moment = std::vector<std::shared_ptr<const RunState>>;
+  using Duration = std::chrono::steady_clock::duration;
 
   bool empty() const { return runs_.empty(); }
   std::size_t size() const { return runs_.size(); }
@@ -43,6 +45,8 @@ class Lockstep {
 
   /// One time step of every run that is not finished; their clocks stay together. Returns the polls of all.
   std::int64_t step();
+  /// How long the steps took that led from what was created or resumed to what stands here now.
+  Duration worked() const { return worked_; }
   /// Other configs from the next step on, as many as there are runs. Throws InputError.
   void change(const std::vector<Config>& configs);
   /// A dab on one run, booked in its ledger. Throws InputError.
@@ -52,9 +56,10 @@ class Lockstep {
   std::uint64_t last_stroke(std::size_t run) const;
   std::size_t undo_count() const { return undo_.size(); }
   std::size_t redo_count() const { return redo_.size(); }
-  /// Back to exactly what was before the last stroke or reset: terrain, account, clock. What the runs are set to stays.
-  /// False when there is none.
+  /// Back to exactly what was before the last stroke or reset: terrain, account, clock, what was worked for it. What
+  /// the runs are set to stays. False when there is none.
   bool undo();
+  /// Takes the last undo back. False when there is none.
   bool redo();
 
  private:
@@ -62,6 +67,7 @@ class Lockstep {
     std::uint64_t stroke = 0;  ///< 0: a reset
     std::size_t run = 0;       ///< that was painted
     std::int64_t step = 0;
+    Duration worked{};
     Moment state;
   };
   void remember(std::uint64_t stroke, std::size_t run);
@@ -71,6 +77,7 @@ class Lockstep {
 
   std::vector<std::unique_ptr<Simulation>> runs_;
   Moment beginning_;
+  Duration worked_{};
   std::deque<Edit> undo_;
   std::deque<Edit> redo_;
 };

@@ -12,11 +12,13 @@
 
 namespace erg {
 
+/// How much a line matters; the later the more.
 enum class LogLevel { information, warning, error };
 
 /// "information", "warning", "error".
 std::string to_string(LogLevel level);
 
+/// One line.
 struct LogLine {
   std::uint64_t number = 0;  ///< grows by one from line to line
   LogLevel level = LogLevel::information;
@@ -36,9 +38,9 @@ class Log {
   void add(LogLevel level, const std::string& text);
   void information(const std::string& text) { add(LogLevel::information, text); }
   void warning(const std::string& text) { add(LogLevel::warning, text); }
-  /// Every mistake on a line of its own.
-  void mistakes(const InputError& error);
   void error(const std::string& text) { add(LogLevel::error, text); }
+  /// Every mistake as an error on a line of its own.
+  void mistakes(const InputError& error);
 
   /// The lines of at least this level, oldest first.
   std::vector<LogLine> lines(LogLevel least = LogLevel::information) const;

@@ -34,7 +34,7 @@ struct CellReading {
   double uphill = 0;         ///< degrees: bearing toward which the ground rises
   std::vector<FieldReading> fields;
 
-  /// "cell 120, 88   height 4.33 m   13 slabs   slope 12 deg".
+  /// "cell 120, 88   height 4.33 m   13 slabs, 4.33 m thick   slope 12 deg", then the declared layers.
   std::string text() const;
 };
 /// The place must lie on the grid.
@@ -48,6 +48,7 @@ struct Section {
   std::vector<double> bedrock;   ///< m
   std::vector<double> surface;   ///< m
 };
+/// Both places must lie on the grid.
 Section cut_section(const Terrain& terrain, CellPlace from, CellPlace to);
 
 /// How values are spread: `counts[i]` of them from lowest + i * width on.
@@ -58,7 +59,7 @@ struct Histogram {
 };
 /// Thickness of the mobile layer in quanta: one bar a quantum, or a few quanta where there are more than `most_bars`.
 Histogram thickness_histogram(const Terrain& terrain, std::size_t most_bars = 64);
-/// Height of the surface in m.
+/// Height of the surface in m, in at most `bars` bars of whole quanta.
 Histogram height_histogram(const Terrain& terrain, std::size_t bars = 48);
 /// Slopes in degrees by central differences, 0 to 90 in bars of `width` degrees.
 Histogram slope_histogram(const Terrain& terrain, double width = 2);

@@ -80,7 +80,6 @@ void Runner::reset() {
   give([this] {
     halt();
     edit([this] { runs_.reset(); });
-    worked_ = {};
   });
 }
 
@@ -217,9 +216,7 @@ void Runner::step_on() {
 void Runner::step_once() {
   try {
     if (before_step_) before_step_();
-    const Clock::time_point begin = Clock::now();
     const std::int64_t polls = runs_.step();
-    worked_ += Clock::now() - begin;
     publisher_.stepped(runs_, polls);
     unshown_ = true;
   } catch (const std::exception& error) {
@@ -246,7 +243,6 @@ void Runner::make(const std::function<void()>& build) {
   }
   publisher_.made_anew(runs_);
   ++creations_;
-  worked_ = {};
   activity_ = Activity::paused;
   message_.clear();
   goal_ = -1;
@@ -302,7 +298,7 @@ void Runner::publish() {
   next->activity = activity_;
   next->message = message_;
   next->speed_limit = speed_limit_;
-  next->seconds_worked = std::chrono::duration<double>(worked_).count();
+  next->seconds_worked = std::chrono::duration<double>(runs_.worked()).count();
   next->goal_start = goal_start_;
   next->goal = goal_;
   next->undo_count = runs_.undo_count();

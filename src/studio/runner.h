@@ -57,6 +57,7 @@ class Runner {
   void resume(std::vector<Saved> saved);
   /// Everything back to what was created or resumed, paused. Can be undone.
   void reset();
+  /// Steps on and on, until a pause or the end.
   void play();
   void pause();
   /// One step, then paused.
@@ -71,6 +72,7 @@ class Runner {
   void paint(std::size_t run, const Dab& dab, std::uint64_t stroke);
   /// Back to exactly what was before the last stroke or reset: terrain, account, clock. What the runs are set to stays.
   void undo();
+  /// Takes the last undo back.
   void redo();
   /// Whether snapshots carry the wind's shadow.
   void watch_shadow(bool wanted);
@@ -123,7 +125,6 @@ class Runner {
   std::int64_t goal_start_ = 0;
   std::int64_t goal_ = -1;
   Clock::time_point next_step_{};
-  Clock::duration worked_{};  // that steps have taken since the runs were made or reset
 
   // The window's own: what it asked for last.
   bool shadow_watched_ = false;

@@ -27,6 +27,7 @@ struct LostSession {
   std::size_t runs = 0;
 };
 
+/// The session of this program.
 class Session {
  public:
   /// Makes this program's folder below `state_folder`. Throws InputError when that cannot be written.

@@ -30,6 +30,7 @@ struct SetupRow {
   std::string tooltip() const;
 };
 
+/// A config under edit.
 class Setup {
  public:
   /// Everything at its default.

@@ -47,12 +47,11 @@ std::string clock_text(const Config& config, std::int64_t step) {
     text += words;
   };
   const auto steps = static_cast<double>(step);
-  if (config.parameters.find("steps_per_year") != nullptr) {
-    add(", year %.1f", steps / static_cast<double>(config.parameters.integer("steps_per_year")));
+  const ModelInfo& model = find_model(config.model).info;
+  if (!model.steps_a_year.empty()) {
+    add(", year %.1f", steps / static_cast<double>(config.parameters.integer(model.steps_a_year)));
   }
-  if (config.parameters.find("time_step") != nullptr) {
-    add(", %.1f h", steps * config.parameters.real("time_step") / 3600);
-  }
+  if (!model.seconds_a_step.empty()) add(", %.1f h", steps * config.parameters.real(model.seconds_a_step) / 3600);
   return text;
 }
 

@@ -65,7 +65,7 @@ struct Snapshot {
   std::vector<RunSnapshot> runs;  ///< none before the first create; two to four when comparing
   double steps_per_second = 0;    ///< measured over the last second or so; 0 unless running
   double polls_per_second = 0;    ///< the same, of all runs together
-  double seconds_worked = 0;      ///< that the steps have taken since the runs were made or reset
+  double seconds_worked = 0;      ///< s of steps that led to what stands here now (Lockstep::worked)
   double speed_limit = 0;         ///< steps a second that were asked for; 0: unlimited
   std::int64_t goal_start = 0;    ///< step at which "run N steps" began
   std::int64_t goal = -1;         ///< step at which it pauses; -1: none
@@ -84,7 +84,7 @@ struct Snapshot {
   double seconds_left() const;
 };
 
-/// The clock in words: "step 1240", and what that means where the model says so ("step 1240, year 24.8").
+/// The clock in words: "step 1240", and what that means where the model says so ("step 1240, year 15.5").
 std::string clock_text(const Config& config, std::int64_t step);
 
 }  // namespace erg

@@ -88,7 +88,14 @@ bool Studio::create() {
 void Studio::hand_over(std::vector<Config> configs) {
   handed_over_ = configs;
   runner_->create(std::move(configs));
+  await_creation();
+}
+
+/// What was asked for before is not waited for any more.
+void Studio::await_creation() {
   creation_awaited_ = runner_->commands_given();
+  recovering_.reset();
+  play_when_made_ = false;
 }
 
 bool Studio::create_needed() const { return comparison_.needs_new_terrain(*snapshot_); }
@@ -108,9 +115,19 @@ void Studio::take_over_creation() {
     log_.information("opened " + file_.string());
     remember_file();
   }
-  if (made && recovering_) kept_.recovered(*snapshot_);
-  recovering_ = false;
+  if (made && recovering_) take_over_lost();
+  if (made && play_when_made_) runner_->play();
+  recovering_.reset();
+  play_when_made_ = false;
   before_opening_.reset();
+}
+
+/// The runs of the session that a crash left are there: it is not needed any more once they are saved again.
+void Studio::take_over_lost() {
+  kept_.recovered(*snapshot_);
+  std::erase_if(lost_, [this](const LostSession& lost) { return lost.folder == recovering_->folder; });
+  if (session_ != nullptr) session_->replaces(*recovering_);
+  log_.information("recovered the session of " + recovering_->saved_at);
 }
 
 void Studio::apply_edits() {
@@ -137,6 +154,12 @@ bool Studio::open(const fs::path& path) {
   });
 }
 
+bool Studio::open_and_play(const fs::path& path) {
+  if (!open(path)) return false;
+  play_when_made_ = true;
+  return true;
+}
+
 /// Other setups than before; what was there is kept until the runs are made.
 void Studio::show(Comparison comparison, const fs::path& file) {
   if (!before_opening_) before_opening_ = Before{comparison_, active_, file_, kept_};
@@ -155,7 +178,7 @@ void Studio::resume(std::vector<Saved> saved, const fs::path& file) {
   show(std::move(resumed), file);
   handed_over_ = comparison_.configs();
   runner_->resume(std::move(saved));
-  creation_awaited_ = runner_->commands_given();
+  await_creation();
 }
 
 bool Studio::save_config(const fs::path& path) {
@@ -216,7 +239,8 @@ void Studio::start_export(const fs::path& path, const std::string& format) {
   export_.reset();  // one at a time: stops the one before
   logged(log_, [&] {
     export_ = std::make_unique<Export>(path, format, snapshot_, shown());
-    exported_ = format == "checkpoint" ? snapshot_ : nullptr;
+    exported_keeps_ = kept_by(format);
+    exported_ = exported_keeps_ != Keeps::nothing ? snapshot_ : nullptr;
     exported_run_ = shown();
     export_reported_ = false;
   });
@@ -227,8 +251,8 @@ void Studio::watch_export() {
   export_reported_ = true;
   if (export_->state() == Export::State::done) {
     log_.information("wrote " + export_->path().string());
-    if (exported_ != nullptr) {
-      kept_.land_saved(*exported_, exported_run_);
+    if (exported_keeps_ == Keeps::land) kept_.land_saved(*exported_, exported_run_);
+    if (exported_keeps_ != Keeps::nothing) {
       kept_.setup_saved(export_->path(), *exported_->runs[exported_run_].config);
     }
   }
@@ -251,19 +275,17 @@ bool Studio::recover(const fs::path& folder) {
     log_.error("nothing is left to recover in " + folder.string());
     return false;
   }
-  const LostSession session = *found;
   return logged(log_, [&] {
-    resume(Session::recover(session), {});
-    recovering_ = true;
-    lost_.erase(found);
-    if (session_ != nullptr) session_->replaces(session);
-    log_.information("recovered the session of " + session.saved_at);
+    resume(Session::recover(*found), {});
+    recovering_ = *found;
   });
 }
 
-void Studio::discard_lost(std::size_t index) {
-  Session::discard(lost_.at(index));
-  lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(index));
+void Studio::discard_lost(const fs::path& folder) {
+  const auto found = std::ranges::find(lost_, folder, &LostSession::folder);
+  if (found == lost_.end()) return;
+  Session::discard(*found);
+  lost_.erase(found);
 }
 
 std::string Studio::rescue() {

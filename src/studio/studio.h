@@ -24,9 +24,9 @@ namespace erg {
 
 /// Where things are kept. An empty folder: nothing is kept.
 struct StudioFolders {
-  std::filesystem::path settings;
-  std::filesystem::path state;
-  std::filesystem::path presets;
+  std::filesystem::path settings;  ///< what is remembered of the window (settings_folder)
+  std::filesystem::path state;     ///< sessions (state_folder)
+  std::filesystem::path presets;   ///< configs to start from; only read
 };
 
 /// The view model. Belongs to the window's thread.
@@ -48,7 +48,9 @@ class Studio {
   Comparison& comparison() { return comparison_; }
   /// The setup that the panels edit.
   Setup& setup() { return comparison_.setup(active_); }
+  /// Its place in the comparison.
   std::size_t active() const { return active_; }
+  /// Another one; nothing where there is no such setup.
   void set_active(std::size_t run);
   Log& log() { return log_; }
   Settings& settings() { return settings_; }
@@ -62,6 +64,8 @@ class Studio {
   /// Opens a config (or a checkpoint) and creates it. A file with mistakes is refused: every mistake goes to the log
   /// with its line, and what was open stays. So does it when the terrain cannot be made; that shows at a later tick.
   bool open(const std::filesystem::path& path);
+  /// The same, and lets it run as soon as it is made.
+  bool open_and_play(const std::filesystem::path& path);
   /// Saves the setup as a config. False, with the reason in the log, when it cannot.
   bool save_config(const std::filesystem::path& path);
   /// The file that the setup came from or was saved to; empty at first.
@@ -74,11 +78,11 @@ class Studio {
   bool unsaved() const;
   /// What would be lost if this were left behind now.
   std::optional<UnsavedWork> unsaved_work(Leaves leaves) const;
-  /// "barchan field - Momiji et al. 2000, 512 x 512".
+  /// "Barchan field - Momiji et al. 2000, 512 x 512".
   std::string title() const;
 
   /// The place in the snapshot of the run that panels show: the active setup's, or the last one while a run just added
-  /// is not made yet.
+  /// is not made yet. Means something only while there are runs.
   std::size_t shown() const { return std::min(active_, snapshot_->runs.size() - 1); }
   /// That run; null before there is any.
   const RunSnapshot* active_run() const;
@@ -89,19 +93,23 @@ class Studio {
   /// Where a file about the active run says it comes from.
   Provenance provenance() const;
 
-  /// Sessions that a crash left behind; empty once recovered or discarded.
+  /// Sessions that a crash left behind. One stays until its runs are made anew, or it is discarded.
   const std::vector<LostSession>& lost_sessions() const { return lost_; }
-  /// Goes on with the lost session of this folder; false, with a line in the log, where that cannot be.
+  /// Goes on with the lost session of this folder; false, with the reason in the log, when it cannot be read. When its
+  /// runs cannot be made, what was open stays, and the session stays on offer; that shows at a later tick.
   bool recover(const std::filesystem::path& folder);
-  void discard_lost(std::size_t index);
-  /// The display is lost: saves the runs for the next start. What to tell the person: where, or why not.
+  /// Deletes the lost session of this folder; nothing where there is none.
+  void discard_lost(const std::filesystem::path& folder);
+  /// The program has to end: saves the runs for the next start. What to tell the person: where, or why not.
   std::string rescue();
 
  private:
   void hand_over(std::vector<Config> configs);
+  void await_creation();
   void take_over_creation();
   void apply_edits();
   void watch_export();
+  void take_over_lost();
   void show(Comparison comparison, const std::filesystem::path& file);
   void resume(std::vector<Saved> saved, const std::filesystem::path& file);
   void keep_settings();
@@ -126,14 +134,16 @@ class Studio {
   std::vector<Config> handed_over_;     // what the runner was last given
   std::uint64_t creation_awaited_ = 0;  // the number of the command that makes what was asked for; 0: it is there
   std::optional<Before> before_opening_;
-  bool recovering_ = false;
+  std::optional<LostSession> recovering_;  // until its runs are made
+  bool play_when_made_ = false;
   std::unique_ptr<Runner> runner_;
   std::shared_ptr<const Snapshot> snapshot_;
   std::unique_ptr<Session> session_;
   std::unique_ptr<Export> export_;
   bool export_reported_ = true;
-  std::shared_ptr<const Snapshot> exported_;  // what a checkpoint under way holds; null for other files
+  std::shared_ptr<const Snapshot> exported_;  // what the file under way keeps something of; else null
   std::size_t exported_run_ = 0;
+  Keeps exported_keeps_ = Keeps::nothing;
   std::vector<LostSession> lost_;
 };
 

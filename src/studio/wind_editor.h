@@ -1,4 +1,4 @@
-// Editing the wind: a list of seasons in which no step is invalid, and the whole cycle drawn out.
+// Editing the wind: a list of seasons in which no value is invalid.
 #pragma once
 
 #include <cstddef>
@@ -52,29 +52,5 @@ class WindEditor {
  private:
   Regime* regime_;
 };
-
-/// The wind over one cycle for a plot: `samples` points (at least 2) evenly over the steps, and where each season
-/// begins.
-struct WindCycle {
-  std::vector<std::int64_t> steps;
-  std::vector<double> bearings;   ///< degrees
-  std::vector<double> strengths;  ///< as the model understands them
-  std::vector<std::int64_t> season_starts;
-  std::int64_t length = 1;  ///< steps
-  /// Where `step` lies in the cycle, in steps.
-  std::int64_t position(std::int64_t step) const { return step % length; }
-  /// Which season blows then.
-  std::size_t season_at(std::int64_t step) const;
-};
-WindCycle sample_cycle(const Regime& regime, std::size_t samples);
-
-/// How much wind comes from where: the sum of strengths over steps, in equal sectors; sector 0 is centred on north.
-struct WindRose {
-  std::vector<double> blown;    ///< steps 0 to now
-  std::vector<double> to_blow;  ///< from now to the end
-  double largest() const;       ///< of blown + to_blow, for scaling
-};
-/// `now` steps done out of `end`. Long runs are summed by whole cycles.
-WindRose wind_rose(const Regime& regime, std::int64_t now, std::int64_t end, std::size_t sectors = 16);
 
 }  // namespace erg

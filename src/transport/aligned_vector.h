@@ -8,8 +8,10 @@
 
 namespace erg {
 
+/// Bytes that a processor's cache takes in at once.
 inline constexpr std::size_t cache_line = 64;
 
+/// Allocates memory that starts a cache line.
 template <typename T>
 struct CacheAligned {
   using value_type = T;

@@ -2,27 +2,37 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "core/grid.h"
 #include "core/terrain.h"
-#include "transport/executor.h"
 
 namespace erg {
+
+struct SnowKernels;
 
 /// What a sum over a box is multiplied with to be the mean of its cells; `twice`: a sum of sums.
 float box_share(int radius, bool twice);
 
-class BoxMean {
- public:
-  /// means = means over the squares of 2 radius + 1 cells around each cell; with `twice` the means of these means. Over
-  /// the edges the grid goes on (torus) or repeats its outermost cells (open). No number may be over `most`.
-  void measure(Extent extent, Boundary boundary, int radius, bool twice, const std::vector<std::uint32_t>& numbers,
-               std::uint32_t most, std::vector<float>& means, Executor& executor);
-
- private:
-  std::vector<std::uint32_t> sums_;
-  std::vector<std::uint64_t> wide_sums_;  ///< where 32 bits cannot hold the sums
+/// Numbers of which means are taken. Over the edges the grid goes on (torus) or repeats its outermost cells (open).
+struct BoxGrid {
+  Extent extent;
+  Boundary boundary = Boundary::torus;
+  const std::uint16_t* numbers = nullptr;
+  std::uint16_t most = 0;  ///< none is over it
+  const SnowKernels* kernels = nullptr;
 };
+
+/// Gives the means of one row after another.
+class BoxMeans {
+ public:
+  virtual ~BoxMeans() = default;
+  /// Those of the next row's cells.
+  virtual void next(float* means) = 0;
+};
+
+/// Means over the squares of 2 radius + 1 cells around each cell, row by row from `first` on, which on a torus may lie
+/// beyond its edge; with `twice` the means of these means.
+std::unique_ptr<BoxMeans> box_means(const BoxGrid& grid, int radius, bool twice, int first);
 
 }  // namespace erg

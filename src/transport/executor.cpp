@@ -6,19 +6,6 @@
 
 namespace erg {
 
-StepReport& StepReport::operator+=(const StepReport& other) {
-  polls += other.polls;
-  lifts += other.lifts;
-  travel += other.travel;
-  slabs_in += other.slabs_in;
-  slabs_out += other.slabs_out;
-  if (other.finished) {
-    finished = true;
-    why_finished = other.why_finished;
-  }
-  return *this;
-}
-
 InstructionSet best_instruction_set() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) {

@@ -1,6 +1,7 @@
-// Executors: what carries out a time step of the slab machine, and shares out a model's other work over threads.
-// `serial` is the reference (one slab at a time), `cpu` the parallel engine. A model hands over a law, of slabs
-// (slab_law.h), of single grains (grain_step.h) or of bonding snow (snow_step.h), and never moves them itself.
+// Executors: what carries out a model's time step, and shares out its other work over threads. `serial` is the
+// reference (one slab at a time), `cpu` the parallel engine, `cuda` the same on a graphics card. A model hands over a
+// law, of slabs (slab_law.h), of single grains (grain_step.h) or of bonding snow (snow_step.h), and never moves them
+// itself.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,9 @@ class Executor {
  public:
   virtual ~Executor() = default;
 
+  /// What does the work now: "serial", "cpu", "cuda".
   virtual std::string name() const = 0;
+  /// Threads of the processor that it works on.
   virtual int threads() const = 0;
   /// Sub-sweeps that a step is cut into; 0: one slab at a time.
   virtual int sub_sweeps() const { return 0; }
@@ -70,8 +73,10 @@ class Executor {
 enum class InstructionSet { portable, avx2, avx512 };
 /// The best that this processor has.
 InstructionSet best_instruction_set();
+/// "portable", "avx2", "avx512".
 std::string to_string(InstructionSet set);
 
+/// Which executor, and how it works.
 struct ExecutorOptions {
   std::string name = "auto";  ///< one of executor_names(); "auto" takes the fastest that works
   int threads = 0;            ///< 0: one for each processor

@@ -18,7 +18,4 @@ ERG_CELL_RULE std::int64_t fixed_point(double value) {
   return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
 }
 
-/// A slab that has flown this many lengths of the grid lands wherever it is, so that chances of 0 cannot fly for ever.
-inline constexpr int longest_flight = 16;
-
 }  // namespace erg

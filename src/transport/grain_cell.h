@@ -43,28 +43,28 @@ inline constexpr int profile_octaves = 30;
 inline constexpr int profile_nodes = profile_parts * profile_octaves + 1;
 inline constexpr int draw_nodes = 256;  ///< entries of tables that turn a random number into something
 
-/// Everything that decides how grains move in this wind.
+/// Everything that decides how grains move in this wind. Nothing blows until all of it is given.
 struct GrainLaw {
   float toward_u = 0;  ///< the wind's direction in the frame, length 1
   float toward_v = 1;
   float friction_velocity = 0;  ///< m/s
-  float cells_a_metre = 100;
-  float gravity = 9.81f;     ///< m/s2
-  float time_step = 0.002f;  ///< s
-  int longest_steps = 0;     ///< of one flight
+  float cells_a_metre = 0;
+  float gravity = 0;      ///< m/s2
+  float time_step = 0;    ///< s
+  int longest_steps = 0;  ///< of one flight
 
-  float lift_low = 0.8f;  ///< lift-off speed upward over friction velocity, smallest and range
-  float lift_range = 1.2f;
-  float damping_normal = 0.4f;  ///< speed kept in a bounce, across and along the ground
-  float damping_along = 0.6f;
-  float stop_speed_squared = 0.36f;
-  int bounce_limit = 6;
-  float splash = 4;                ///< most grains that one impact knocks loose
-  float splash_speed_squared = 1;  ///< (m/s)^2, of an impact that knocks half as many loose
-  float reptation_cells = 0.8f;    ///< mean reptation for an impact of 1 m/s, cells
-  float reptation_slope = 2;       ///< how much a rise of 1 shortens it; cotangent of the angle it starts at
-  float sideways = 0.3f;           ///< share of reptating grains that go across the wind
-  float rolling = 4;               ///< chance to roll to a lower neighbour, for a slope of 1
+  float lift_low = 0;  ///< lift-off speed upward over friction velocity, smallest and range
+  float lift_range = 0;
+  float damping_normal = 0;  ///< speed kept in a bounce, across and along the ground
+  float damping_along = 0;
+  float stop_speed_squared = 0;
+  int bounce_limit = 0;
+  float splash = 0;                ///< most grains that one impact knocks loose
+  float splash_speed_squared = 0;  ///< (m/s)^2, of an impact that knocks half as many loose
+  float reptation_cells = 0;       ///< mean reptation for an impact of 1 m/s, cells
+  float reptation_slope = 0;       ///< how much a rise of 1 shortens it; cotangent of the angle it starts at
+  float sideways = 0;              ///< share of reptating grains that go across the wind
+  float rolling = 0;               ///< chance to roll to a lower neighbour, for a slope of 1
 
   float wind_speed[profile_nodes] = {};  ///< m/s at the heights of the nodes above the ground
   float cotangent[draw_nodes] = {};      ///< of the lift-off angle

@@ -25,10 +25,11 @@ struct PlaneLayout {
   int length = 0;
   int block_columns = 0;  ///< columns of a block; the last may have fewer
   int blocks = 0;
-  int pitch = 0;  ///< lanes from one row of a block to the next
-  std::size_t block_size = 0;
-  std::int64_t lean = 0;  ///< columns of skew for one row, times 2^24; 0: place and column are the same
+  int pitch = 0;               ///< lanes from one row of a block to the next
+  std::size_t block_size = 0;  ///< lanes of a whole block
+  std::int64_t lean = 0;       ///< columns of skew for one row, times 2^24; 0: place and column are the same
 
+  /// Where a block's column of a row lies in memory.
   ERG_CELL_RULE std::size_t at(int block, int column_in_block, int row) const {
     return static_cast<std::size_t>(block) * block_size +
            static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch) + static_cast<std::size_t>(column_in_block);
@@ -43,6 +44,7 @@ struct PlaneLayout {
   }
   /// Columns by which a row is shifted, at most those by which a line has drifted there.
   ERG_CELL_RULE int skew(int row) const { return static_cast<int>((row * lean) >> 24) - (lean != 0 ? 1 : 0); }
+  /// The same of a place.
   ERG_CELL_RULE std::size_t at_place(int place, int row) const {
     const int block = block_of(place);
     return at(block, place - block * block_columns, row);

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
+/// What the random words of a step are for; each has a key space of its own.
+enum SlabWord : std::uint64_t { of_polls, of_slabs, of_shuffles, of_inflow };
+
 struct Offset {
   int u;
   int v;
@@ -42,7 +45,7 @@ StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const Wind
   const std::int64_t patience = 4 * cells;  // polls without a lift before forced erosion looks whether any can come
   std::int64_t last_lift = 0;
   for (std::int64_t poll = 0; law_.forced_erosion ? report_.lifts < cells : poll < cells; ++poll) {
-    Draws draws{random_word(key_, 0, static_cast<std::uint64_t>(poll), 1)};
+    Draws draws{random_word(key_, 0, static_cast<std::uint64_t>(poll), of_slabs)};
     ++report_.polls;
     if (lift(polled_cell(poll), draws)) {
       last_lift = poll;
@@ -136,7 +139,7 @@ void SerialExecutor::measure_relief() {
 std::size_t SerialExecutor::polled_cell(std::int64_t poll) {
   const auto cells = static_cast<std::int64_t>(surface_.size());
   if (law_.repeated_polling) {
-    return random_below(key_, 0, static_cast<std::uint64_t>(poll), 0, static_cast<std::uint32_t>(cells));
+    return random_below(key_, 0, static_cast<std::uint64_t>(poll), of_polls, static_cast<std::uint32_t>(cells));
   }
   if (poll % cells == 0) shuffle(static_cast<std::uint64_t>(poll / cells));
   return order_[static_cast<std::size_t>(poll % cells)];
@@ -146,7 +149,7 @@ void SerialExecutor::shuffle(std::uint64_t round) {
   order_.resize(surface_.size());
   std::iota(order_.begin(), order_.end(), 0u);
   for (std::size_t last = order_.size() - 1; last > 0; --last) {
-    const std::uint32_t other = random_below(key_, 1 + round, last, 2, static_cast<std::uint32_t>(last + 1));
+    const std::uint32_t other = random_below(key_, 1 + round, last, of_shuffles, static_cast<std::uint32_t>(last + 1));
     std::swap(order_[last], order_[other]);
   }
 }
@@ -156,7 +159,7 @@ bool SerialExecutor::anything_can_move(Draws draws) {
     for (int v = 0; v < frame_.length; ++v) {
       const std::size_t cell = index(u, v);
       if (surface_[cell] == ground(cell) || (!cover_.empty() && cover_[cell] == 255)) continue;
-      if (law_.erode_in_shadow || !in_shadow({u, v}, draws)) return true;
+      if (law_.lift_in_shadow || !in_shadow({u, v}, draws)) return true;
     }
   }
   return false;
@@ -165,17 +168,15 @@ bool SerialExecutor::anything_can_move(Draws draws) {
 /// Algorithm 2/3 and 4: lifts a slab from the cell, or from the top of the slope that would slide into the gap.
 bool SerialExecutor::lift(std::size_t cell, Draws& draws) {
   if (surface_[cell] == ground(cell)) return false;
-  const Place start{static_cast<int>(cell / static_cast<std::size_t>(frame_.length)),
-                    static_cast<int>(cell % static_cast<std::size_t>(frame_.length))};
+  const Place start = place_of(cell);
   if (!cover_.empty() && draws.unit() * 255 < cover_[cell]) return false;
-  if (!law_.erode_in_shadow && in_shadow(start, draws)) return false;
+  if (!law_.lift_in_shadow && in_shadow(start, draws)) return false;
   const std::int32_t height = surface_[cell];
   std::size_t source = cell;
   Place place = start;
   for (std::size_t next = steepest_neighbour(place, true); next != nowhere; next = steepest_neighbour(place, true)) {
     source = next;
-    place = {static_cast<int>(next / static_cast<std::size_t>(frame_.length)),
-             static_cast<int>(next % static_cast<std::size_t>(frame_.length))};
+    place = place_of(next);
   }
   change(source, -1);
   ++report_.lifts;
@@ -251,7 +252,7 @@ void SerialExecutor::let_inflow_enter() {
   if (!open_ || law_.inflow <= 0) return;
   std::uint64_t number = 0;
   const auto enter_over = [&](int u, int v, double rate) {
-    Draws draws{random_word(key_, 0, number++, 3)};
+    Draws draws{random_word(key_, 0, number++, of_inflow)};
     for (int left = static_cast<int>(std::floor(rate + draws.unit())); left > 0; --left) enter(draws, {u, v});
   };
   for (int u = 0; u < frame_.width; ++u) enter_over(u, 0, law_.inflow);
@@ -290,8 +291,7 @@ void SerialExecutor::deposit(Place place) {
   std::size_t cell = index(place.u, place.v);
   for (std::size_t next = steepest_neighbour(place, false); next != nowhere; next = steepest_neighbour(place, false)) {
     cell = next;
-    place = {static_cast<int>(next / static_cast<std::size_t>(frame_.length)),
-             static_cast<int>(next % static_cast<std::size_t>(frame_.length))};
+    place = place_of(next);
   }
   change(cell, +1);
 }
@@ -351,8 +351,9 @@ void SerialExecutor::change(std::size_t cell, int slabs) {
   const std::int32_t before = surface_[cell];
   const std::int32_t after = before + slabs;
   surface_[cell] = static_cast<std::uint16_t>(after);
-  if (static_cast<std::size_t>(after) >= height_count_.size())
+  if (static_cast<std::size_t>(after) >= height_count_.size()) {
     height_count_.resize(static_cast<std::size_t>(after) + 1);
+  }
   --height_count_[static_cast<std::size_t>(before)];
   ++height_count_[static_cast<std::size_t>(after)];
   highest_ = std::max(highest_, after);

@@ -11,6 +11,7 @@
 
 namespace erg {
 
+/// The executor "serial".
 class SerialExecutor : public Executor {
  public:
   std::string name() const override { return "serial"; }
@@ -46,6 +47,10 @@ class SerialExecutor : public Executor {
   void measure_relief();
   std::size_t index(int u, int v) const {
     return static_cast<std::size_t>(u) * static_cast<std::size_t>(frame_.length) + static_cast<std::size_t>(v);
+  }
+  Place place_of(std::size_t cell) const {
+    return {static_cast<int>(cell / static_cast<std::size_t>(frame_.length)),
+            static_cast<int>(cell % static_cast<std::size_t>(frame_.length))};
   }
   std::size_t polled_cell(std::int64_t poll);
   void shuffle(std::uint64_t round);

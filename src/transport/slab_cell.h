@@ -1,5 +1,5 @@
 // The rules of one cell in one sub-sweep, for every executor that works in sub-sweeps: the CPU engine's kernels and a
-// GPU's read the same functions, so both give the same bits. Plain integer arithmetic, no state.
+// GPU's read the same functions, so both give the same bits. No state, no libm.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,9 @@ namespace erg {
 
 /// Cells: no hop is shorter.
 inline constexpr double shortest_hop = 1.0;
+
+/// A slab that has flown this many lengths of the grid lands wherever it is, so that chances of 0 cannot fly for ever.
+inline constexpr int longest_flight = 16;
 
 /// What a random byte in a sub-sweep is for.
 enum class Draw : std::uint32_t { poll = 1, hop, cover, inflow, first_landing, second_landing };

@@ -27,6 +27,7 @@ struct HopLaw {
   double deviation_weight = 0;
 
   bool depends_on_height() const { return linear != 0 || quadratic != 0; }
+  /// Length of a hop in a wind of this strength (cells) from ground so many slabs above the reference.
   double cells(double strength, double above_reference) const;
 };
 
@@ -39,12 +40,14 @@ struct StandingSteps {
   static StandingSteps of_angle(double angle, double cell_size, double slab_height);
 };
 
+/// What a model of slabs hands over for a step. The numbers here are those of a bare law in tests and measurements; a
+/// model sets them from its parameters.
 struct SlabLaw {
   HopLaw hop;
   double p_sand = 0.6;                ///< chance that a slab stays where sand lies
   double p_bare = 0.4;                ///< chance that it stays on bare ground
   double shadow_fall = 0.8;           ///< slabs a cell: the shadow line behind a peak
-  bool erode_in_shadow = true;        ///< Werner: yes; Momiji and Bishop: no
+  bool lift_in_shadow = true;         ///< Werner: yes; Momiji and Bishop: no
   StandingSteps bare;                 ///< repose of bare sand
   StandingSteps covered;              ///< repose of the higher cell's sand where its cover >= covered_from
   std::uint8_t covered_from = 77;     ///< 0.3 of 255

@@ -13,6 +13,7 @@ namespace erg {
 struct OctaveTable {
   static constexpr int octaves = 40;
   static constexpr int lowest_octave = -16;
+  static constexpr int place_of_1 = -8 * lowest_octave;
   float values[8 * octaves + 1] = {};
 
   ERG_CELL_RULE float at(float x) const {
@@ -112,17 +113,22 @@ ERG_CELL_RULE std::uint32_t lift_chance(const SnowLaw& law, float speed, float r
   return chance_16(law.lift_scale * flux / hop_cells(law, speed));
 }
 
-/// Chance in 1/65536 that the wind alone frees and lifts a slab of bonded snow of this age (h) in a step.
-ERG_CELL_RULE std::uint32_t entrainment_chance(const SnowLaw& law, float speed, float age) {
+/// How far the local wind is over what bonded snow withstands; 0 where it is not.
+ERG_CELL_RULE float bonded_excess(const SnowLaw& law, float speed) {
   const float excess = speed * speed / (law.bonded_threshold * law.bonded_threshold) - 1;
-  return chance_16(law.entrainment * (excess > 0 ? excess : 0.0f) / law.hardening.at(age > 1 ? age : 1.0f));
+  return excess > 0 ? excess : 0.0f;
 }
 
-/// How readily impacts free snow of mean strength and of this age (h) in a local wind: the chance of a full hop's
-/// impact straight into the surface, which may be over 1.
-ERG_CELL_RULE float abrasion_power(const SnowLaw& law, float speed, float age) {
-  const float excess = speed * speed / (law.bonded_threshold * law.bonded_threshold) - 1;
-  return law.abrasion * (excess > 0 ? excess : 0.0f) / law.hardening.at(age);
+/// Chance in 1/65536 that the wind alone frees and lifts a slab of bonded snow in a step. `hardness`: the law's
+/// hardening of the snow's age, an hour at least.
+ERG_CELL_RULE std::uint32_t entrainment_chance(const SnowLaw& law, float excess, float hardness) {
+  return chance_16(law.entrainment * excess / hardness);
+}
+
+/// How readily impacts free snow of mean strength and of this hardness: the chance of a full hop's impact straight into
+/// the surface, which may be over 1.
+ERG_CELL_RULE float abrasion_power(const SnowLaw& law, float excess, float hardness) {
+  return law.abrasion * excess / hardness;
 }
 
 /// The part of an impact's power that goes into the surface. `rise`: slabs from the cell upwind.
@@ -162,7 +168,10 @@ struct SnowPlace {
 ERG_CELL_RULE SnowWeather snow_weather(const SnowLaw& law, const SnowPlace& place, float rows) {
   const float speed = local_wind(law, place.level - place.around, place.slope);
   const std::uint32_t loose = lift_chance(law, speed, place.rest);
-  const std::uint32_t hard = entrainment_chance(law, speed, place.age);
+  const float excess = bonded_excess(law, speed);
+  const float hardness = law.hardening.at(place.age);
+  const std::uint32_t hard =
+      entrainment_chance(law, excess, place.age > 1 ? hardness : law.hardening.values[OctaveTable::place_of_1]);
   const int hop_64 = static_cast<int>(hop_cells(law, speed) * rows * 64 + 0.5f);
   const float over = (static_cast<float>(place.surface) - place.level) * 16;
   const float bounded = over < highest_over ? (over > -highest_over ? over : -highest_over) : highest_over;
@@ -170,7 +179,7 @@ ERG_CELL_RULE SnowWeather snow_weather(const SnowLaw& law, const SnowPlace& plac
   const std::uint32_t lit = place.dark - 1;  // all ones where light
   weather.chances = (loose | hard << 16) & lit;
   weather.hops =
-      (static_cast<std::uint32_t>(hop_64 > 1 ? hop_64 : 1) & lit) | short_float(abrasion_power(law, speed, place.age));
+      (static_cast<std::uint32_t>(hop_64 > 1 ? hop_64 : 1) & lit) | short_float(abrasion_power(law, excess, hardness));
   weather.over = static_cast<std::int32_t>(bounded);
   return weather;
 }
@@ -182,13 +191,43 @@ ERG_CELL_RULE int snow_hop_rows(std::uint32_t hops, std::uint32_t random) {
 }
 ERG_CELL_RULE int longest_snow_hop(std::uint32_t mean_64) { return static_cast<int>((mean_64 * 384 >> 14) + 2); }
 
+/// The share of a hop that is flown before higher ground ends it, of 256. A quotient of whole numbers below 2^24 whose
+/// rows are fewer than 2^15 rounds down as that of whole numbers does.
+ERG_CELL_RULE std::uint32_t share_of_hop(int flown, int whole) {
+  return static_cast<std::uint32_t>(static_cast<int>(static_cast<float>(flown * 256) / static_cast<float>(whole)));
+}
+
+/// The random word of a row for what lifts there; that of a line in it is mix64(word + line). What comes down takes the
+/// complement.
+ERG_CELL_RULE std::uint64_t flight_row_word(std::uint32_t sweep_key, int row) {
+  return mix64((std::uint64_t{sweep_key} << 32) + static_cast<std::uint64_t>(row));
+}
+
 /// Height over the smoothed surface at which a slab that leaves here flies; higher ground ends its hop.
 ERG_CELL_RULE int flying_height(int over, int clearance_16) {
   return over + clearance_16 < highest_over ? over + clearance_16 : highest_over;
 }
 
-/// Noise of a lattice that closes over the edges, 0 to 1, stretched.
-ERG_CELL_RULE float strength_noise(const SnowLaw& law, int x, int y, int height) {
+/// Layer of the noise in which a height lies, and row in which a cell's row lies.
+ERG_CELL_RULE int strength_layer(const SnowLaw& law, int height) {
+  return static_cast<int>((static_cast<float>(height) + 16384.0f) * law.noise_by_slab);
+}
+ERG_CELL_RULE int strength_row(const SnowLaw& law, int y) {
+  return static_cast<int>((static_cast<float>(y) + 0.5f) * law.noise_by_row);
+}
+
+/// Noise at a point of its lattice, which closes over the edges.
+ERG_CELL_RULE float strength_point(const SnowLaw& law, int column, int row, int layer) {
+  const std::uint64_t place =
+      static_cast<std::uint64_t>(row < law.noise_rows ? row : row - law.noise_rows) << 40 ^
+      static_cast<std::uint64_t>(column < law.noise_columns ? column : column - law.noise_columns) << 20 ^
+      static_cast<std::uint64_t>(layer);
+  return unit_24(static_cast<std::uint32_t>(mix64(law.noise_word ^ place) >> 40));
+}
+
+/// Noise between the points of the lattice, 0 to 1, stretched. `point(column, row, layer)`: as strength_point.
+template <typename Point>
+ERG_CELL_RULE float strength_noise(const SnowLaw& law, int x, int y, int height, const Point& point) {
   const float u = (static_cast<float>(x) + 0.5f) * law.noise_by_column;
   const float v = (static_cast<float>(y) + 0.5f) * law.noise_by_row;
   const float w = (static_cast<float>(height) + 16384.0f) * law.noise_by_slab;
@@ -197,32 +236,32 @@ ERG_CELL_RULE float strength_noise(const SnowLaw& law, int x, int y, int height)
   const int layer = static_cast<int>(w);
   float sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
-    const int c = column + (corner & 1);
-    const int r = row + (corner >> 1 & 1);
-    const int l = layer + (corner >> 2);
     const float share_u = corner & 1 ? u - static_cast<float>(column) : 1 - (u - static_cast<float>(column));
     const float share_v = corner & 2 ? v - static_cast<float>(row) : 1 - (v - static_cast<float>(row));
     const float share_w = corner & 4 ? w - static_cast<float>(layer) : 1 - (w - static_cast<float>(layer));
-    const std::uint64_t place = static_cast<std::uint64_t>(r < law.noise_rows ? r : r - law.noise_rows) << 40 ^
-                                static_cast<std::uint64_t>(c < law.noise_columns ? c : c - law.noise_columns) << 20 ^
-                                static_cast<std::uint64_t>(l);
-    sum += share_u * share_v * share_w * unit_24(static_cast<std::uint32_t>(mix64(law.noise_word ^ place) >> 40));
+    sum += share_u * share_v * share_w * point(column + (corner & 1), row + (corner >> 1 & 1), layer + (corner >> 2));
   }
   const float stretched = 0.5f + 2.0f * (sum - 0.5f);
   return stretched < 0 ? 0 : (stretched > 1 ? 1 : stretched);
 }
 
-/// Strength of bonded snow in cell (x, y) of the terrain, `height` slabs over its bedrock; 1 is the mean.
-ERG_CELL_RULE float snow_strength(const SnowLaw& law, int x, int y, int height) {
+/// Strength of bonded snow in cell (x, y) of the terrain, `height` slabs over its bedrock; 1 is the mean. `point` as in
+/// strength_noise.
+template <typename Point>
+ERG_CELL_RULE float snow_strength_between(const SnowLaw& law, int x, int y, int height, const Point& point) {
   float strength = 1;
   if (law.pattern == StrengthPattern::noise || law.pattern == StrengthPattern::both) {
-    strength *= law.strength_table[static_cast<int>(strength_noise(law, x, y, height) * 256)];
+    strength *= law.strength_table[static_cast<int>(strength_noise(law, x, y, height, point) * 256)];
   }
   if (law.pattern == StrengthPattern::layers || law.pattern == StrengthPattern::both) {
-    const auto layer = static_cast<std::uint64_t>((static_cast<float>(height) + 16384.0f) * law.noise_by_slab);
+    const auto layer = static_cast<std::uint64_t>(strength_layer(law, height));
     strength *= law.strength_table[mix64(law.noise_word ^ ~layer) >> 56];
   }
   return strength;
+}
+ERG_CELL_RULE float snow_strength(const SnowLaw& law, int x, int y, int height) {
+  return snow_strength_between(
+      law, x, y, height, [&law](int column, int row, int layer) { return strength_point(law, column, row, layer); });
 }
 
 /// Whether an impact of this power might free a slab of the weakest snow, for a drawn share: most need no look at the
@@ -237,6 +276,11 @@ ERG_CELL_RULE std::uint32_t snow_word(std::int32_t loose, std::int32_t mobile) {
 }
 ERG_CELL_RULE std::int32_t loose_of(std::uint32_t snow) { return static_cast<std::int32_t>(snow & 0xffff); }
 ERG_CELL_RULE std::int32_t mobile_of(std::uint32_t snow) { return static_cast<std::int32_t>(snow >> 16); }
+
+/// The snow of a cell from which a slab has lifted: a loose one where there is one.
+ERG_CELL_RULE std::uint32_t without_slab(std::uint32_t snow) {
+  return snow - ((snow & 0xffff) != 0 ? snow_word(1, 1) : snow_word(0, 1));
+}
 
 /// The chance of 65536 that a slab lifts here: of loose snow where there is any, else of bonded snow.
 ERG_CELL_RULE std::uint32_t lift_chance_of(std::uint32_t snow, std::uint32_t chances) {

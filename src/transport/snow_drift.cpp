@@ -37,10 +37,14 @@ StepReport SnowDrift::step(Terrain& terrain, const SnowStep& snow, const WindNow
 void SnowDrift::write_strength(const SnowLaw& law, const Terrain& terrain, Grid<float>& strength,
                                Executor& executor) const {
   const SnowKernels& kernels = snow_kernels(instructions_);
+  const bool noise = law.pattern == StrengthPattern::noise || law.pattern == StrengthPattern::both;
+  const std::size_t points = 2 * static_cast<std::size_t>(law.noise_columns + 1) * StrengthLattice::layers;
   executor.for_pieces(terrain.ny(), [&](std::int64_t begin, std::int64_t end) {
+    std::vector<float> memory(noise ? points : 0);
+    StrengthLattice lattice{.points = noise ? memory.data() : nullptr};
     for (int y = static_cast<int>(begin); y < end; ++y) {
       const std::size_t row = strength.index(0, y);
-      kernels.strength(law, y, &terrain.mobile()[row], &layers_.loose[row], &strength[row], terrain.nx());
+      kernels.strength(law, {y, terrain.nx(), &terrain.mobile()[row], &layers_.loose[row], &strength[row]}, lattice);
     }
   });
 }

@@ -1,5 +1,7 @@
 #include "transport/snow_flights.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace erg {
@@ -11,13 +13,18 @@ StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Ex
   draws_.draw_lines(plan_.frame, plan_.key, plan_.longest_mean_hop);
   plan_.drift = draws_.drift;
   plan_.reach = draws_.reach;
-  plan_.ring_rows = draws_.ring_rows;
   plan_.offsets = draws_.offsets.data();
+  plan_.windows =
+      static_cast<int>(std::bit_ceil(static_cast<unsigned>((plan_.reach + snow_window - 1) / snow_window + 1)));
   const int width = plan_.frame.width;
   strips_.resize(static_cast<std::size_t>((width + snow_lines - 1) / snow_lines));
   const auto count = static_cast<std::int64_t>(strips_.size());
   executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      // One strip's memory serves all strips of a thread where it can: it stays in its processor's cache.
+      if (lines_close())
+        strips_[k].swap_memory(
+            strips_[static_cast<std::size_t>(k > static_cast<std::size_t>(begin) ? k - 1 : end - 1)]);
       const int first = static_cast<int>(k) * snow_lines;
       strips_[k].load(plan_, first, std::min(snow_lines, width - first));
       fly_strip(strips_[k]);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "transport/fixed_point.h"
 #include "transport/snow_sweep.h"
 
 namespace erg {
@@ -18,10 +19,8 @@ std::uint32_t weather(const SnowLaw& given_law, const SnowWeatherRow& row) {
   const float* __restrict around = row.around;
   const float* __restrict landed = row.landed;
   const float* __restrict age = row.age;
-  const std::uint32_t* __restrict surface = row.surface;
+  const std::uint16_t* __restrict surface = row.surface;
   const std::uint8_t* __restrict dark = row.dark;
-  const float* __restrict west = row.west;
-  const float* __restrict east = row.east;
   const float* __restrict south = row.south;
   const float* __restrict north = row.north;
   std::uint32_t* __restrict chances = row.chances;
@@ -34,7 +33,7 @@ std::uint32_t weather(const SnowLaw& given_law, const SnowWeatherRow& row) {
   ERG_EACH(i, row.count) {
     const SnowPlace place{.level = level[i],
                           .around = around[i],
-                          .slope = by_x * (east[i] - west[i]) + by_y * (north[i] - south[i]),
+                          .slope = by_x * (level[i + 1] - level[i - 1]) + by_y * (north[i] - south[i]),
                           .surface = static_cast<std::int32_t>(surface[i]),
                           .rest = law.now - landed[i],
                           .age = age[i],
@@ -68,28 +67,6 @@ void rest(const SnowLaw& law, const SnowRestRow& row) {
   }
 }
 
-void poll(const SnowPolls& polls) {
-  alignas(64) std::uint32_t row[snow_lines];
-  alignas(64) std::uint32_t lifts[snow_lines];
-  const std::uint32_t* __restrict polled_row = polls.polled_row;
-  const SnowCell* __restrict cells = polls.cells;
-  const std::uint32_t key = polls.key;
-  const std::uint32_t first_line = polls.first_line;
-  const std::uint32_t chance_key = polls.chance_key;
-  const auto rows = static_cast<std::uint32_t>(polls.rows);
-  const int next_row = polls.next_row;
-  const int next_line = polls.next_line;
-  ERG_EACH(i, polls.lines) {
-    const std::uint32_t word = snow_poll_word(key, first_line + static_cast<std::uint32_t>(i));
-    const std::uint32_t at = polled_row[static_cast<int>(word >> 24)];
-    const bool within = at < rows;
-    const int cell = static_cast<int>(within ? at : 0) * next_row + i * next_line;
-    row[i] = within ? at : 0;
-    lifts[i] = within && snow_lifts(word, chance_key, cells[cell].snow, cells[cell].chances) ? 1 : 0;
-  }
-  for (int i = 0; i < polls.lines; ++i) polls.lifts[row[i]] |= static_cast<std::uint64_t>(lifts[i]) << i;
-}
-
 void find_runs(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count) {
   alignas(64) std::int16_t height[64];
   alignas(64) std::int16_t run[64];
@@ -106,35 +83,169 @@ void find_runs(const std::int16_t* over, int next_row, int clearance_16, int rea
   for (int i = 0; i < count; ++i) cells[i].run = run[i];
 }
 
-bool any_steep(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
-               const std::int32_t* snow_b, int count, int step) {
-  std::int32_t steep = 0;
+std::uint64_t find_steep(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
+                         const std::int32_t* snow_b, int count, int step) {
+  alignas(64) std::uint8_t steep[64] = {};
   if (ground_a == nullptr) {
     ERG_EACH(i, count) {
       const std::int32_t difference = snow_a[i] - snow_b[i];
-      steep |= (difference > step ? 1 : 0) | (difference < -step ? 1 : 0);
+      steep[i] = (difference > step ? 1 : 0) | (difference < -step ? 1 : 0);
     }
-    return steep != 0;
+  } else {
+    ERG_EACH(i, count) {
+      const std::int32_t difference = ground_a[i] + snow_a[i] - ground_b[i] - snow_b[i];
+      steep[i] = (difference > step ? 1 : 0) | (difference < -step ? 1 : 0);
+    }
   }
-  ERG_EACH(i, count) {
-    const std::int32_t difference = ground_a[i] + snow_a[i] - ground_b[i] - snow_b[i];
-    steep |= (difference > step ? 1 : 0) | (difference < -step ? 1 : 0);
+  std::uint64_t bits = 0;
+  for (int k = 0; k < 8; ++k) {
+    std::uint64_t eight = 0;
+    __builtin_memcpy(&eight, steep + 8 * k, 8);
+    bits |= (eight * 0x0102040810204080u >> 56) << (8 * k);  // one bit of each byte
   }
-  return steep != 0;
+  return bits;
 }
 
-void strength(const SnowLaw& given_law, int y, const std::int32_t* __restrict mobile,
-              const std::int32_t* __restrict loose, float* __restrict strength, int count) {
-  const SnowLaw law = given_law;
-  ERG_EACH(x, count) strength[x] = snow_strength(law, x, y, mobile[x] - loose[x]);
+// --- strength ---
+
+/// Draws the lattice for the rows of the terrain between two of its own, and some layers.
+void draw_lattice(const SnowLaw& law, int row, int lowest, StrengthLattice& lattice) {
+  lattice.row = row;
+  lattice.lowest = lowest;
+  float* place = lattice.points;
+  for (int r = row; r <= row + 1; ++r) {
+    for (int c = 0; c <= law.noise_columns; ++c, place += StrengthLattice::layers) {
+      float* __restrict points = place;
+      ERG_EACH(l, StrengthLattice::layers) points[l] = strength_point(law, c, r, lowest + l);
+    }
+  }
 }
+
+void strength(const SnowLaw& law, const SnowStrengthRow& row, StrengthLattice& lattice) {
+  const std::int32_t* __restrict mobile = row.mobile;
+  const std::int32_t* __restrict loose = row.loose;
+  float* __restrict strength = row.strength;
+  const int y = row.y;
+  std::int32_t lowest = 0x7fffffff;
+  std::int32_t highest = 0;
+  ERG_EACH(x, row.count) {
+    const std::int32_t layer = strength_layer(law, mobile[x] - loose[x]);
+    lowest = layer < lowest ? layer : lowest;
+    highest = layer > highest ? layer : highest;
+  }
+  const int at = strength_row(law, y);
+  if (lattice.points == nullptr || highest + 1 >= lowest + StrengthLattice::layers) {
+    ERG_EACH(x, row.count) strength[x] = snow_strength(law, x, y, mobile[x] - loose[x]);
+    return;
+  }
+  if (at != lattice.row || lowest < lattice.lowest || highest + 1 >= lattice.lowest + StrengthLattice::layers) {
+    draw_lattice(law, at, lowest, lattice);
+  }
+  const float* __restrict points = lattice.points;
+  const int next_row = (law.noise_columns + 1) * StrengthLattice::layers;
+  const auto point = [points, next_row, at, low = lattice.lowest](int c, int r, int l) {
+    return points[(r - at) * next_row + c * StrengthLattice::layers + l - low];
+  };
+  ERG_EACH(x, row.count) strength[x] = snow_strength_between(law, x, y, mobile[x] - loose[x], point);
+}
+
+// --- surface ---
+
+void survey(const std::int32_t* __restrict bedrock, const std::int32_t* __restrict mobile, int count,
+            SnowHeights& heights) {
+  SnowHeights all = heights;
+  ERG_EACH(i, count) {
+    const std::int32_t here = bedrock[i] + mobile[i];
+    all.lowest = here < all.lowest ? here : all.lowest;
+    all.highest = here > all.highest ? here : all.highest;
+    all.most_snow = mobile[i] > all.most_snow ? mobile[i] : all.most_snow;
+    all.uneven |= bedrock[i] ^ all.level;
+  }
+  heights = all;
+}
+
+void raise(const std::int32_t* __restrict bedrock, const std::int32_t* __restrict mobile, int low,
+           std::uint16_t* __restrict height, int count) {
+  ERG_EACH(i, count) height[i] = static_cast<std::uint16_t>(bedrock[i] + mobile[i] - low);
+}
+
+void shade(const SnowShadowRow& row) {
+  const std::uint16_t* __restrict surface = row.surface;
+  std::int32_t* __restrict far = row.far;
+  std::int32_t* __restrict near = row.near;
+  std::uint8_t* __restrict dark = row.dark;
+  const std::int32_t fall_far = row.fall_far;
+  const std::int32_t fall_near = row.fall_near;
+  ERG_EACH(i, row.count) {
+    const std::int32_t height = std::int32_t{surface[i]} << fixed_point_bits;
+    const std::int32_t shadow = far[i] > near[i] ? far[i] : near[i];
+    dark[i] = height < shadow ? 1 : 0;
+    far[i] = (height > far[i] ? height : far[i]) - fall_far;
+    near[i] = height - fall_near;
+  }
+}
+
+template <typename Sum, typename Number>
+void add_row(const Number* __restrict entering, const Number* __restrict leaving, Sum* __restrict columns, int count) {
+  if (entering == nullptr) return;
+  if (leaving == nullptr) {
+    ERG_EACH(i, count) columns[i] += static_cast<Sum>(entering[i]);
+    return;
+  }
+  ERG_EACH(i, count) columns[i] += static_cast<Sum>(entering[i]) - static_cast<Sum>(leaving[i]);
+}
+
+/// Sums of 1, 2, 4 ... neighbours, each from the last; those that together make up the window are added.
+template <typename Sum>
+void add_up(Sum* __restrict columns, Sum* __restrict sums, int count, int window) {
+  int done = 0;
+  for (int size = 1; size <= window; size *= 2) {
+    if ((window & size) != 0) {
+      const Sum* __restrict from = columns + done;
+      if (done == 0) {
+        ERG_EACH(i, count) sums[i] = from[i];
+      } else {
+        ERG_EACH(i, count) sums[i] += from[i];
+      }
+      done += size;
+    }
+    if (done == window) return;
+    const int left = count + window - 2 * size;
+    const Sum* ahead = columns + size;
+    ERG_EACH(i, left) columns[i] += ahead[i];
+  }
+}
+
+template <typename Sum, typename Signed>
+void average(const Sum* __restrict sums, float share, float* __restrict means, int count) {
+  ERG_EACH(i, count) means[i] = static_cast<float>(static_cast<Signed>(sums[i])) * share;
+}
+
+#include "transport/snow_flight.inl"
 
 #undef ERG_EACH
 
 }  // namespace
 
 extern const SnowKernels snow_kernels;
-const SnowKernels snow_kernels{weather, rest, poll, find_runs, any_steep, strength};
+const SnowKernels snow_kernels{weather,
+                               rest,
+                               lift,
+                               launch,
+                               land,
+                               draw_rows,
+                               take_snow,
+                               give_snow,
+                               find_runs,
+                               find_steep,
+                               strength,
+                               survey,
+                               raise,
+                               shade,
+                               {add_row<std::uint32_t, std::uint16_t>, add_row<std::uint32_t, std::uint32_t>,
+                                add_up<std::uint32_t>, average<std::uint32_t, std::int32_t>},
+                               {add_row<std::uint64_t, std::uint16_t>, add_row<std::uint64_t, std::uint64_t>,
+                                add_up<std::uint64_t>, average<std::uint64_t, std::int64_t>}};
 
 }  // namespace ERG_KERNELS
 }  // namespace erg

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "core/terrain.h"
-#include "transport/box_mean.h"
 #include "transport/executor.h"
 #include "transport/snow_cell.h"
 #include "transport/snow_flights.h"
@@ -49,8 +48,12 @@ class SnowMachine {
   void measure_heights();
   void measure_weather(double shadow_fall);
   void find_shadow(double shadow_fall);
-  void shade_lines(int first, int end, double shadow_fall);
-  std::uint32_t make_weather(int y);
+  void shade_lines(int first, int lines, double shadow_fall);
+  struct ShadowTile;
+  template <typename Visit>
+  void for_tile(int begin, int end, int lines, const ShadowTile& tile, const Visit& visit) const;
+  SnowWeatherRow weather_row(int y) const;
+  std::uint32_t make_weather(int begin, int end);
   void fly_one_by_one();
   void poll(Place place, std::uint64_t word);
   void fly(Place place, std::uint64_t word, bool enters);
@@ -59,15 +62,25 @@ class SnowMachine {
   void fly_in_sweeps();
   void slide();
   void slide_class(bool along, int odd);
-  void slide_in_row(std::size_t row, int first);
-  void slide_between_rows(std::size_t a, std::size_t b);
-  bool any_steep(std::size_t a, std::size_t b, int count) const;
+  void find_steep();
+  void slide_in_row(int y, int first);
+  void slide_to_next(int y);
+  void slide_edge(int x, int y, int other_x, int other_y);
+  void mark_steep(int x, int y);
+  std::uint64_t steep_edges(std::size_t a, std::size_t b, int count) const;
   void let_snow_fall();
   void rest();
 
   std::size_t cell(int u, int v) const { return frame_.cell(u, v); }
   /// Whether the wind's frame runs along the terrain's rows. In a grid of one column its steps do not tell.
   bool along_x() const { return (frame_.step_v == 1 || frame_.step_v == -1) && frame_.length == extent_.nx; }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(extent_.nx) + static_cast<std::size_t>(x);
+  }
+  /// Of the flags of steep edges.
+  std::size_t block(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks_) + static_cast<std::size_t>(x) / 64;
+  }
   std::int32_t surface(std::size_t cell) const { return bedrock_[cell] + mobile_[cell]; }
 
   const InstructionSet instructions_;
@@ -91,15 +104,17 @@ class SnowMachine {
   std::int32_t low_ = 0;  ///< lowest surface
   std::int32_t high_ = 0;
   bool relief_ = false;
-  std::vector<std::uint32_t> height_;  ///< surface over the lowest surface
-  BoxMean means_;
-  std::vector<float> level_;   ///< smoothed height
-  std::vector<float> around_;  ///< mean height of the surroundings
+  std::vector<std::uint16_t> height_;  ///< surface over the lowest surface
   std::vector<std::uint8_t> dark_;
   std::vector<std::uint32_t> chances_;  ///< SnowWeather
   std::vector<std::uint32_t> hops_;
   std::vector<std::int16_t> over_;
   std::uint32_t longest_mean_hop_ = 0;
+
+  // Not 0 where an edge of a block of cells may be too steep: those along a row, and those to the next row.
+  int blocks_ = 0;  ///< in a row
+  std::vector<std::uint8_t> steep_in_row_;
+  std::vector<std::uint8_t> steep_to_next_;
 
   SnowFlights flights_;
   std::mutex mutex_;

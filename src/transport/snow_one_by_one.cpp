@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "transport/fixed_point.h"
+#include "transport/slab_cell.h"
 #include "transport/snow_machine.h"
 
 namespace erg {

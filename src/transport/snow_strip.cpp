@@ -3,32 +3,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "transport/sub_sweep.h"
+
 namespace erg {
 namespace {
-
-constexpr std::int32_t no_surface = std::numeric_limits<std::int32_t>::min();
 
 std::uint64_t bit(int line) { return std::uint64_t{1} << line; }
 
 }  // namespace
-
-/// The ring while a sub-sweep runs.
-struct SnowStrip::Air {
-  std::uint64_t* ring;
-  std::uint64_t* arrivals;
-  int mask;
-  std::int64_t rows_flown = 0;
-
-  std::uint64_t& arrived(int row) { return arrivals[row & mask]; }
-  std::uint64_t& load(int row, int line) { return ring[(row & mask) * snow_lines + line]; }
-  /// Sends a slab from a cell to the row where it comes down next.
-  void launch(const SnowCell& cell, int row, int line, std::uint32_t random) {
-    const SnowHop hop = snow_hop(cell, random);
-    load(row + hop.rows, line) += hop.load;
-    arrived(row + hop.rows) |= bit(line);
-    rows_flown += hop.rows;
-  }
-};
 
 // --- terrain in and out ---
 
@@ -86,10 +68,18 @@ void SnowStrip::lay_out() {
   const bool lines_in_memory = frame.step_v == 1 || frame.step_v == -1;
   next_row_ = lines_in_memory ? 1 : snow_lines;
   next_line_ = lines_in_memory ? (rows + 127) / 128 * 128 + 36 : 1;
-  const std::size_t cells = lines_in_memory ? at(0, lines_) : at(rows, 0);
+  const std::size_t cells = lines_in_memory ? at(0, snow_lines) : at(rows, 0);
   cells_.resize(cells);
   over_.resize(cells);
   ground_.resize(plan_.relief ? cells : 0);
+}
+
+void SnowStrip::swap_memory(SnowStrip& other) {
+  cells_.swap(other.cells_);
+  over_.swap(other.over_);
+  ground_.swap(other.ground_);
+  loads_.swap(other.loads_);
+  falls_.swap(other.falls_);
 }
 
 void SnowStrip::load(const SnowFlightPlan& plan, int first, int lines) {
@@ -98,17 +88,11 @@ void SnowStrip::load(const SnowFlightPlan& plan, int first, int lines) {
   lines_ = lines;
   counts_ = {};
   carried_.clear();
-  rests_ = snow_rests(*plan.law);
   lay_out();
-  ring_.assign(static_cast<std::size_t>(plan.ring_rows) * snow_lines, 0);
-  arrived_.assign(static_cast<std::size_t>(plan.ring_rows), 0);
-  const int length = plan.frame.length;
-  SnowCell* const cells = cells_.data();
-  std::int16_t* const over = over_.data();
-  for_cells(0, length, [=, from = plan](std::size_t here, std::size_t cell) {
-    cells[here] = {snow_word(from.loose[cell], from.mobile[cell]), from.chances[cell], from.hops[cell], 0, 0};
-    over[here] = from.over[cell];
-  });
+  next_load_ = plan.windows * snow_window + 8;
+  loads_.assign(static_cast<std::size_t>(next_load_) * snow_lines, 0);
+  falls_.assign(static_cast<std::size_t>(plan.windows) * snow_lines, 0);
+  exchange(true);
   std::fill(upwind_, upwind_ + snow_lines, no_surface);
   load_beyond_edge();
   if (plan.relief) find_walls();
@@ -165,157 +149,164 @@ void SnowStrip::find_runs() {
   }
 }
 
-void SnowStrip::store() {
-  const float now = plan_.law->now;
-  const SnowCell* const cells = cells_.data();
-  for_cells(0, plan_.frame.length, [=, to = plan_](std::size_t here, std::size_t cell) {
-    const SnowCell& mine = cells[here];
-    to.mobile[cell] = mobile_of(mine.snow);
-    to.loose[cell] = loose_of(mine.snow);
-    to.landed[cell] = mine.landed != 0 ? now : to.landed[cell];
-  });
-}
-
 // --- a sub-sweep ---
 
 void SnowStrip::sweep(const SnowSweep& sweep) {
-  std::uint64_t lifts[64] = {};
-  Air air{ring_.data(), arrived_.data(), plan_.ring_rows - 1};
   const int length = plan_.frame.length;
-  for (int row = 0; row < length; ++row) {
-    std::uint64_t lifted = sweep.polls ? find_lifts(row, sweep, lifts) : 0;
-    if (plan_.boundary == Boundary::open) cross_open_edges(row, sweep);
-    if ((lifted | air.arrived(row)) == 0) continue;
-    const std::uint64_t row_word = snow_row_word(sweep.key, row);
-    SnowCell* cells = cells_.data() + at(row, 0);
-    counts_.lifts += __builtin_popcountll(lifted);
-    for (; lifted != 0; lifted &= lifted - 1) {
-      const int line = __builtin_ctzll(lifted);
-      SnowCell& cell = cells[line * next_line_];
-      cell.snow = without_slab(cell.snow);
-      if (plan_.lift_counts != nullptr) ++(*plan_.lift_counts)[plan_.frame.cell(column(row, line), row)];
-      air.launch(cell, row, line, static_cast<std::uint32_t>(line_word(row_word, line)));
+  const SnowLandings landings = landings_of(sweep);
+  SnowAir air = air_of();
+  alignas(64) std::uint64_t row_words[snow_window];
+  for (int begin = 0; begin < length; begin += snow_window) {
+    const int end = std::min(begin + snow_window, length);
+    plan_.kernels->draw_rows(sweep.key, begin, row_words);
+    const std::uint64_t crossing = plan_.boundary == Boundary::open ? find_crossing(begin, end) : 0;
+    late_.clear();
+    for (int row = begin; sweep.polls && row < end; row += plan_.sweeps) {
+      lift(row, std::min(row + plan_.sweeps, end), sweep, row_words + (row - begin), crossing, air);
     }
-    for (std::uint64_t all = air.arrived(row); all != 0; all &= all - 1) {
-      const int line = __builtin_ctzll(all);
-      arrive(cells[line * next_line_], row, line, row_word, sweep.last, air);
+    if (begin == 0 && plan_.boundary == Boundary::open) {
+      for (int line = 0; line < lines_; ++line) enter(0, line, sweep);
     }
-    air.arrived(row) = 0;
+    plan_.kernels->land(landings, row_words, begin, end, ~crossing, air);
+    if (crossing != 0) cross_open_side(landings, row_words, begin, end, sweep, air);
   }
   counts_.rows_flown += air.rows_flown;
+  counts_.slabs_out += air.carried_off;
   leave_grid();
 }
 
-/// Slabs come down in a cell: they strike it, stay or fly on. All decide on the snow as they find it.
-inline void SnowStrip::arrive(SnowCell& cell, int row, int line, std::uint64_t row_word, bool last, Air& air) {
-  std::uint64_t& waiting = air.load(row, line);
-  const std::uint64_t load = waiting;
-  waiting = 0;
-  const std::uint32_t before = cell.snow;
-  std::int32_t mobile = mobile_of(before);
-  std::int32_t loose = loose_of(before);
-  const std::uint32_t rest = last ? certain : chance_to_stay(rests_, before, cell.hops);
-  std::uint64_t word = line_word(~row_word, line);
-  if (loose == 0 && mobile > 0) loose += strikes(row, line, load, mix32(static_cast<std::uint32_t>(word >> 32)));
-  for (std::uint32_t slabs = slabs_of(load);; word = mix64(word)) {
-    if (snow_stays(word, rest)) {
-      ++mobile;
-      ++loose;
-      cell.landed = 1;
-    } else if (snow_carried_off(word, rests_)) {
-      ++counts_.slabs_out;
-    } else {
-      air.launch(cell, row, line, static_cast<std::uint32_t>(word >> 32));
-    }
-    if (--slabs == 0) break;
-  }
-  cell.snow = snow_word(std::min(loose, mobile), mobile);
+SnowLandings SnowStrip::landings_of(const SnowSweep& sweep) {
+  SnowLandings landings;
+  landings.law = plan_.law;
+  landings.lines = lines_of();
+  landings.ground = plan_.relief ? ground_.data() : nullptr;
+  landings.upwind = upwind_;
+  landings.rests = snow_rests(*plan_.law);
+  landings.last = sweep.last;
+  landings.offsets = plan_.offsets + 1;
+  landings.width = plan_.frame.width;
+  landings.origin = plan_.frame.origin;
+  landings.step_u = plan_.frame.step_u;
+  landings.step_v = plan_.frame.step_v;
+  landings.nx = plan_.extent.nx;
+  return landings;
 }
 
-/// The lines that lift a slab in this row. Those of a block of rows are found together.
-std::uint64_t SnowStrip::find_lifts(int row, const SnowSweep& sweep, std::uint64_t (&lifts)[64]) {
-  const int in_block = row & (plan_.sweeps - 1);
-  if (in_block == 0) {
-    std::fill(lifts, lifts + plan_.sweeps, std::uint64_t{0});
-    SnowPolls polls;
-    polls.rows = std::min(plan_.sweeps, plan_.frame.length - row);
-    polls.key = snow_poll_key(sweep, row);
-    polls.chance_key = sweep.key;
-    polls.first_line = static_cast<std::uint32_t>(first_);
-    polls.lines = lines_;
-    polls.polled_row = sweep.polled_row;
-    polls.cells = cells_.data() + at(row, 0);
-    polls.next_row = next_row_;
-    polls.next_line = next_line_;
-    polls.lifts = lifts;
-    plan_.kernels->poll(polls);
+/// Lifts slabs from a block of rows. A block's slabs may lift before any comes down in it: neither changes what the
+/// other reads.
+void SnowStrip::lift(int begin, int end, const SnowSweep& sweep, const std::uint64_t* row_words, std::uint64_t crossing,
+                     SnowAir& air) {
+  SnowPolls polls;
+  polls.first_row = begin;
+  polls.rows = end - begin;
+  polls.key = snow_poll_key(sweep, begin);
+  polls.chance_key = sweep.key;
+  polls.polled_row = sweep.polled_row;
+  polls.row_words = row_words;
+  SnowLifts lifts;
+  plan_.kernels->lift(polls, lines_of(), air, lifts);
+  counts_.lifts += lifts.count;
+  for (int k = 0; plan_.lift_counts != nullptr && k < lifts.count; ++k) {
+    ++(*plan_.lift_counts)[plan_.frame.cell(column(lifts.row[k], lifts.line[k]), lifts.row[k])];
   }
-  return lifts[in_block];
-}
-
-/// How many slabs of bonded snow the impacts on a cell free.
-int SnowStrip::strikes(int row, int line, std::uint64_t load, std::uint32_t word) const {
-  const std::size_t here = at(row, line);
-  const std::uint32_t hops = cells_[here].hops;
-  if (abrasion_of(hops) <= 0) return 0;
-  const std::int32_t upwind = row > 0 ? surface(at(row - 1, line)) : upwind_[line];
-  const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface(here) - upwind);
-  const float power = strike_power(*plan_.law, hops, load, rise);
-  if (power <= 0) return 0;
-  int freed = 0;
-  for (std::uint32_t slab = 0; slab < slabs_of(load); ++slab) {
-    const float drawn = unit_24(word);
-    word = next_snow_word(word);
-    if (may_free(*plan_.law, drawn, power) && drawn * strength(row, line) < power) ++freed;
-  }
-  return freed;
-}
-
-float SnowStrip::strength(int row, int line) const {
-  const std::size_t cell = plan_.frame.cell(column(row, line), row);
-  const auto width = static_cast<std::size_t>(plan_.extent.nx);
-  return snow_strength(*plan_.law, static_cast<int>(cell % width), static_cast<int>(cell / width),
-                       mobile_of(cells_[at(row, line)].snow));
+  if (crossing != 0) hold_back(crossing, lifts);
+  plan_.kernels->launch(lifts, air);
 }
 
 /// What is in the air over the last row goes on at the other end of the torus, or has left over the open edge.
 void SnowStrip::leave_grid() {
   const int length = plan_.frame.length;
-  for (int rows = 0; rows < plan_.ring_rows; ++rows) {
-    std::uint64_t& lines = arrived(length + rows);
-    for (; lines != 0; lines &= lines - 1) {
-      const int line = __builtin_ctzll(lines);
-      std::uint64_t& load = ring(length + rows, line);
+  for (int line = 0; line < lines_; ++line) {
+    take_all(line, length, [&](int row, std::uint64_t load) {
+      const int rows = row - length;
       if (plan_.boundary == Boundary::torus) {
         carried_.push_back({static_cast<std::uint32_t>(first_ + line), rows, load});
       } else {
-        counts_.slabs_out += slabs_of(load);
-        counts_.rows_flown -= std::int64_t{slabs_of(load)} * (rows + 1);
+        counts_.slabs_out += static_cast<std::int64_t>(load / one_slab);
+        counts_.rows_flown -= static_cast<std::int64_t>(load / one_slab) * (rows + 1);
       }
+    });
+  }
+}
+
+void SnowStrip::receive(int line, int row, std::uint64_t load) {
+  const int place = row & (plan_.windows * snow_window - 1);
+  loads_[static_cast<std::size_t>(line * next_load_ + place)] += load;
+  falls_[static_cast<std::size_t>(place / snow_window * snow_lines + line)] |= bit(row % snow_window);
+}
+
+/// Takes all that is in the air over a line, where the first row that may have any is `first`: calls
+/// visit(row, load).
+template <typename Visit>
+void SnowStrip::take_all(int line, int first, const Visit& visit) {
+  const int window = first / snow_window;
+  for (int number = window; number < window + plan_.windows; ++number) {
+    const int place = number & (plan_.windows - 1);
+    std::uint64_t& falls = falls_[static_cast<std::size_t>(place * snow_lines + line)];
+    for (; falls != 0; falls &= falls - 1) {
+      const int row = __builtin_ctzll(falls);
+      std::uint64_t& load = loads_[static_cast<std::size_t>(line * next_load_ + place * snow_window + row)];
+      visit(number * snow_window + row, load);
       load = 0;
     }
   }
 }
 
-void SnowStrip::receive(int line, int row, std::uint64_t load) {
-  ring(row, line) += load;
-  arrived(row) |= bit(line);
-}
-
 // --- open edges ---
 
-/// Lines that enter the grid at this row: what flew in them has left on the other side, and drift comes in.
-void SnowStrip::cross_open_edges(int row, const SnowSweep& sweep) {
-  if (row == 0) {
-    for (int line = 0; line < lines_; ++line) enter(row, line, sweep);
-    return;
+/// The line that stands in column 0 from this row on, numbered from the strip's first; beyond the strip where none
+/// does.
+int SnowStrip::entering_line(int row) const {
+  return offset(row) == offset(row - 1) ? snow_lines : wrap(-offset(row) - first_, plan_.frame.width);
+}
+
+/// The lines that cross an open side in these rows, as bits.
+std::uint64_t SnowStrip::find_crossing(int begin, int end) const {
+  std::uint64_t crossing = 0;
+  for (int row = std::max(begin, 1); row < end; ++row) {
+    if (const int line = entering_line(row); line < lines_) crossing |= bit(line);
   }
-  if (offset(row) == offset(row - 1)) return;
-  const int width = plan_.frame.width;
-  const int line = wrap(-offset(row) - first_, width);  // it stands in column 0 now
-  if (line >= lines_) return;
-  drop_out(row, line);
-  enter(row, line, sweep);
+  return crossing;
+}
+
+/// Slabs of such lines lift later, for what is in the air when they cross is lost.
+void SnowStrip::hold_back(std::uint64_t crossing, SnowLifts& lifts) {
+  int count = 0;
+  for (int k = 0; k < lifts.count; ++k) {
+    if ((crossing & bit(lifts.line[k])) != 0) {
+      late_.push_back({lifts.line[k], lifts.row[k], lifts.fall[k], lifts.load[k]});
+      lifts.rows_flown -= lifts.fall[k] - lifts.row[k];
+      continue;
+    }
+    lifts.place[count] = lifts.place[k];
+    lifts.window[count] = lifts.window[k];
+    lifts.load[count] = lifts.load[k];
+    lifts.bit[count] = lifts.bit[k];
+    ++count;
+  }
+  lifts.count = count;
+}
+
+/// Lines that cross an open side: what flew in them has left there, and drift comes in on the other side.
+void SnowStrip::cross_open_side(const SnowLandings& landings, const std::uint64_t* row_words, int begin, int end,
+                                const SnowSweep& sweep, SnowAir& air) {
+  for (int line = 0; line < lines_; ++line) {
+    for (int first = begin; first < end && (find_crossing(begin, end) & bit(line)) != 0;) {
+      int next = first + 1;
+      while (next < end && entering_line(next) != line) ++next;
+      for (const LateLift& slab : late_) {
+        if (slab.line != line || slab.row < first || slab.row >= next) continue;
+        receive(line, slab.fall, slab.load);
+        air.rows_flown += slab.fall - slab.row;
+      }
+      plan_.kernels->land(landings, row_words, begin, next, bit(line), air);
+      if (next < end) {
+        drop_out(next, line);
+        enter(next, line, sweep);
+      }
+      first = next;
+    }
+  }
 }
 
 void SnowStrip::enter(int row, int line, const SnowSweep& sweep) {
@@ -334,13 +325,10 @@ void SnowStrip::enter(int row, int line, const SnowSweep& sweep) {
 
 /// The slabs in the air over a line have left over an open side.
 void SnowStrip::drop_out(int row, int line) {
-  for (int rows = 0; rows < plan_.ring_rows; ++rows) {
-    std::uint64_t& load = ring(row + rows, line);
-    counts_.slabs_out += slabs_of(load);
-    counts_.rows_flown -= std::int64_t{slabs_of(load)} * (rows + 1);
-    load = 0;
-    arrived(row + rows) &= ~bit(line);
-  }
+  take_all(line, row, [&](int there, std::uint64_t load) {
+    counts_.slabs_out += static_cast<std::int64_t>(load / one_slab);
+    counts_.rows_flown -= static_cast<std::int64_t>(load / one_slab) * (there - row + 1);
+  });
 }
 
 }  // namespace erg

@@ -36,8 +36,8 @@ struct SnowFlightPlan {
   // Filled in by SnowFlights.
   std::int64_t drift = 0;  ///< SnowDraws
   int reach = 1;
-  int ring_rows = 2;
-  const int* offsets = nullptr;
+  int windows = 2;               ///< of rows in which slabs may be in the air, a power of two
+  const int* offsets = nullptr;  ///< SnowDraws
   const SnowKernels* kernels = nullptr;
 };
 
@@ -58,6 +58,8 @@ class SnowStrip {
 
   /// Takes its lines' part of the terrain. `first`: number of its first line.
   void load(const SnowFlightPlan& plan, int first, int lines);
+  /// Takes over the memory of a strip that is stored, or not yet loaded.
+  void swap_memory(SnowStrip& other);
   /// One sub-sweep. On a torus what is in the air at the end is added to carried().
   void sweep(const SnowSweep& sweep);
   std::vector<Carried>& carried() { return carried_; }
@@ -68,10 +70,19 @@ class SnowStrip {
   const Counts& counts() const { return counts_; }
 
  private:
-  struct Air;
+  /// A slab that lifts after its line has crossed an open side.
+  struct LateLift {
+    int line;
+    int row;
+    int fall;
+    std::uint64_t load;
+  };
 
   template <typename Visit>
   void for_cells(int begin, int end, const Visit& visit) const;
+  SnowStretch stretch(int row, int line, int count, SnowCell* cells, std::int16_t* heights) const;
+  void exchange(bool takes);
+  void exchange_oblique(bool takes);
   void lay_out();
   void load_beyond_edge();
   int offset(int row) const { return plan_.offsets[row + 1]; }
@@ -85,16 +96,18 @@ class SnowStrip {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(next_row_) +
            static_cast<std::size_t>(line) * static_cast<std::size_t>(next_line_);
   }
-  std::uint64_t& ring(std::int64_t row, int line) {
-    return ring_[static_cast<std::size_t>(row & (plan_.ring_rows - 1)) * snow_lines + static_cast<std::size_t>(line)];
-  }
-  std::uint64_t& arrived(std::int64_t row) { return arrived_[static_cast<std::size_t>(row & (plan_.ring_rows - 1))]; }
-  std::uint64_t find_lifts(int row, const SnowSweep& sweep, std::uint64_t (&lifts)[64]);
-  std::uint64_t line_word(std::uint64_t row_word, int line) const { return snow_line_word(row_word, first_ + line); }
-  void arrive(SnowCell& cell, int row, int line, std::uint64_t row_word, bool last, Air& air);
-  int strikes(int row, int line, std::uint64_t load, std::uint32_t word) const;
-  float strength(int row, int line) const;
-  void cross_open_edges(int row, const SnowSweep& sweep);
+  SnowLines lines_of() { return {cells_.data(), next_row_, next_line_, first_, lines_}; }
+  SnowLandings landings_of(const SnowSweep& sweep);
+  SnowAir air_of() { return {loads_.data(), falls_.data(), plan_.windows, next_load_}; }
+  void lift(int begin, int end, const SnowSweep& sweep, const std::uint64_t* row_words, std::uint64_t crossing,
+            SnowAir& air);
+  int entering_line(int row) const;
+  std::uint64_t find_crossing(int begin, int end) const;
+  void hold_back(std::uint64_t crossing, SnowLifts& lifts);
+  void cross_open_side(const SnowLandings& landings, const std::uint64_t* row_words, int begin, int end,
+                       const SnowSweep& sweep, SnowAir& air);
+  template <typename Visit>
+  void take_all(int line, int first, const Visit& visit);
   void enter(int row, int line, const SnowSweep& sweep);
   void drop_out(int row, int line);
   void leave_grid();
@@ -102,7 +115,6 @@ class SnowStrip {
   SnowFlightPlan plan_;
   int first_ = 0;
   int lines_ = 0;
-  SnowRests rests_;
   Counts counts_;
   int next_row_ = snow_lines;  ///< in the layers below: cells lie as they do in the terrain, lines or rows side by side
   int next_line_ = 1;
@@ -110,8 +122,10 @@ class SnowStrip {
   AlignedVector<std::int16_t> over_;      ///< SnowWeather
   AlignedVector<std::int32_t> ground_;    ///< bedrock; empty where it is level
   std::int32_t upwind_[snow_lines] = {};  ///< surface of the row before the first
-  AlignedVector<std::uint64_t> ring_;     ///< slabs that come down, and in the lower half the shares of hops they flew
-  std::vector<std::uint64_t> arrived_;    ///< one bit a line of the ring's rows
+  int next_load_ = 0;                     ///< from a load to that of the next line
+  AlignedVector<std::uint64_t> loads_;    ///< SnowAir
+  AlignedVector<std::uint64_t> falls_;
+  std::vector<LateLift> late_;  ///< of the window under way, over open edges
   std::vector<Carried> carried_;
 };
 

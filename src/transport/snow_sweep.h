@@ -9,25 +9,73 @@
 
 namespace erg {
 
-/// Cells in a row of the terrain whose weather is made.
+/// Cells in a row of the terrain whose weather is made. Rows of levels have a place more on either side.
 struct SnowWeatherRow {
   int count = 0;
   float slope_by_x = 0;  ///< slope along the wind = slope_by_x (east - west) + slope_by_y (north - south)
   float slope_by_y = 0;
-  float rows = 1;  ///< of the wind's frame for one cell along the wind
-  const float* level = nullptr;
-  const float* west = nullptr;  ///< levels of the neighbours
-  const float* east = nullptr;
+  float rows = 1;                ///< of the wind's frame for one cell along the wind
+  const float* level = nullptr;  ///< smoothed surface; beside a cell stand its neighbours
   const float* south = nullptr;
   const float* north = nullptr;
-  const float* around = nullptr;
+  const float* around = nullptr;  ///< mean of the surroundings
   const float* landed = nullptr;
   const float* age = nullptr;
-  const std::uint32_t* surface = nullptr;
+  const std::uint16_t* surface = nullptr;
   const std::uint8_t* dark = nullptr;
   std::uint32_t* chances = nullptr;  ///< SnowWeather of each cell
   std::uint32_t* hops = nullptr;
   std::int16_t* over = nullptr;
+};
+
+/// Sums over boxes of cells, row by row.
+template <typename Sum>
+struct BoxKernels {
+  /// columns += entering - leaving; null: nothing enters, or leaves.
+  void (*add_numbers)(const std::uint16_t* entering, const std::uint16_t* leaving, Sum* columns, int count);
+  void (*add_sums)(const Sum* entering, const Sum* leaving, Sum* columns, int count);
+  /// sums = those of `window` neighbours from each of `count` columns on. Destroys `columns`.
+  void (*add_up)(Sum* columns, Sum* sums, int count, int window);
+  /// Sums are below 2^63 (2^31).
+  void (*average)(const Sum* sums, float share, float* means, int count);
+};
+
+/// What is to be known of the heights of many cells.
+struct SnowHeights {
+  std::int32_t level = 0;                  ///< of the bedrock, if it is level
+  std::int32_t lowest = 0x7fffffff;        ///< surface
+  std::int32_t highest = -0x7fffffff - 1;  ///< surface
+  std::int32_t most_snow = 0;
+  std::int32_t uneven = 0;  ///< not 0: the bedrock is not level
+};
+
+/// Lines of shadow side by side in a row, and what they have passed.
+struct SnowShadowRow {
+  int count = 0;
+  std::int32_t fall_far = 0;  ///< of the shadow from row to row, fixed point
+  std::int32_t fall_near = 0;
+  const std::uint16_t* surface = nullptr;
+  std::int32_t* far = nullptr;
+  std::int32_t* near = nullptr;
+  std::uint8_t* dark = nullptr;
+};
+
+/// The noise of strength at the points of its lattice around some rows of the terrain: drawn once, looked up for each
+/// cell.
+struct StrengthLattice {
+  static constexpr int layers = 64;  ///< that it holds
+  float* points = nullptr;           ///< two rows of noise_columns + 1 places of so many layers
+  int row = -1;                      ///< of the lattice; -1: empty
+  int lowest = 0;                    ///< layer
+};
+
+/// The strength of the uppermost bonded snow in a row of the terrain.
+struct SnowStrengthRow {
+  int y = 0;
+  int count = 0;
+  const std::int32_t* mobile = nullptr;
+  const std::int32_t* loose = nullptr;
+  float* strength = nullptr;
 };
 
 /// Cells in a row of the terrain whose snow rests for a step.
@@ -47,35 +95,115 @@ struct SnowRestRow {
 /// Most lines of a strip.
 inline constexpr int snow_lines = 64;
 
-/// Rows of a strip in which a sub-sweep polls each line once.
-struct SnowPolls {
-  int rows = 0;
-  std::uint32_t key = 0;         ///< snow_poll_key
-  std::uint32_t chance_key = 0;  ///< of the chances to lift
-  std::uint32_t first_line = 0;
-  int lines = 0;
-  const std::uint32_t* polled_row = nullptr;  ///< 256 rows, one for each random byte
-  const SnowCell* cells = nullptr;            ///< of the first row's first line
-  int next_row = 0;                           ///< from a cell to that in the next row
+/// A strip's cells as the kernels see them.
+struct SnowLines {
+  SnowCell* cells = nullptr;  ///< of row 0, line 0
+  int next_row = 0;           ///< from a cell to that in the next row
   int next_line = 0;
-  std::uint64_t* lifts = nullptr;  ///< one bit a line, for each row of a block; zero before
+  int first_line = 0;
+  int lines = 0;
+};
+
+/// Rows that are gone through together: one bit each in a word.
+inline constexpr int snow_window = 64;
+
+/// A block of rows in which a sub-sweep polls each line once.
+struct SnowPolls {
+  int first_row = 0;
+  int rows = 0;
+  std::uint32_t key = 0;                      ///< snow_poll_key
+  std::uint32_t chance_key = 0;               ///< of the chances to lift
+  const std::uint32_t* polled_row = nullptr;  ///< 256 rows, one for each random byte
+  const std::uint64_t* row_words = nullptr;   ///< flight_row_word of each row
+};
+
+/// Slabs in the air, in the rows where they will come down. Rows are a ring of whole windows.
+struct SnowAir {
+  std::uint64_t* loads = nullptr;  ///< for each line and row: slabs, and in the lower half the shares of hops they flew
+  std::uint64_t* falls = nullptr;  ///< for each window and line, one bit for each row that has a load
+  int windows = 1;                 ///< a power of two
+  int next_line = 0;               ///< from a load to that of the next line
+  std::int64_t rows_flown = 0;
+  std::int64_t carried_off = 0;
+};
+/// Slabs that lift from a block, each from a line of its own.
+struct SnowLifts {
+  int count = 0;
+  std::int64_t rows_flown = 0;
+  alignas(64) std::int32_t line[snow_lines + 1];
+  alignas(64) std::int32_t row[snow_lines];   ///< that they lift from
+  alignas(64) std::int32_t fall[snow_lines];  ///< row where they come down
+  // What they add in SnowAir.
+  alignas(64) std::int32_t place[snow_lines];   ///< of the load
+  alignas(64) std::int32_t window[snow_lines];  ///< of the bit, with the line
+  alignas(64) std::uint64_t load[snow_lines];
+  alignas(64) std::uint64_t bit[snow_lines];
+};
+
+/// What becomes of slabs that come down, in a sub-sweep.
+struct SnowLandings {
+  const SnowLaw* law = nullptr;
+  SnowLines lines;
+  const std::int32_t* ground = nullptr;  ///< bedrock of each cell of the strip; null where it is level
+  const std::int32_t* upwind = nullptr;  ///< surface of each line in the row before the first
+  SnowRests rests;
+  bool last = false;  ///< whatever comes down stays
+  // Where a cell stands in the terrain.
+  const int* offsets = nullptr;  ///< column of line 0 in each row, from row 0 on
+  int width = 0;
+  std::int64_t origin = 0;
+  std::int64_t step_u = 0;
+  std::int64_t step_v = 0;
+  int nx = 0;
+};
+/// The surface before the first row of an open grid.
+inline constexpr std::int32_t no_surface = -0x7fffffff - 1;
+
+/// Cells that lie side by side in a strip, which takes their snow from the terrain and gives it back.
+struct SnowStretch {
+  const SnowLaw* law = nullptr;
+  int count = 0;
+  int step = 1;  ///< 1 or -1: from a cell of the strip to the next, in the layers of the terrain
+  std::int32_t* mobile = nullptr;
+  std::int32_t* loose = nullptr;
+  float* landed = nullptr;
+  const std::uint32_t* chances = nullptr;
+  const std::uint32_t* hops = nullptr;
+  const std::int16_t* over = nullptr;
+  SnowCell* cells = nullptr;
+  std::int16_t* heights = nullptr;  ///< `over` in the strip
 };
 
 struct SnowKernels {
   /// Returns the longest mean hop, in 1/64 rows.
   std::uint32_t (*weather)(const SnowLaw& law, const SnowWeatherRow& row);
   void (*rest)(const SnowLaw& law, const SnowRestRow& row);
-  void (*poll)(const SnowPolls& polls);
+  /// Finds the slabs that lift from a block, and takes them off their cells.
+  void (*lift)(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, SnowLifts& lifts);
+  /// Puts them into the air.
+  void (*launch)(const SnowLifts& lifts, SnowAir& air);
+  /// Brings down what comes down in the rows of a window from `first_row` to before `end`, in the lines whose bits are
+  /// set in `among`.
+  void (*land)(const SnowLandings& landings, const std::uint64_t* row_words, int first_row, int end,
+               std::uint64_t among, SnowAir& air);
+  /// The flight_row_word of each row of a window.
+  void (*draw_rows)(std::uint32_t sweep_key, int first_row, std::uint64_t* row_words);
+  void (*take_snow)(const SnowStretch& stretch);
+  void (*give_snow)(const SnowStretch& stretch);
   /// Finds the runs of `count` cells that lie side by side, 64 at most: rows until higher ground, looking `reach` rows
   /// ahead; `unhindered_run` where there is none. `over` has `next_row` from a cell to that in the next row.
   void (*find_runs)(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count);
-  /// Whether any of `count` surfaces in `a` stands more than `step` over or under that in `b`. Ground may be null where
-  /// it is level.
-  bool (*any_steep)(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
-                    const std::int32_t* snow_b, int count, int step);
-  /// Strength of the uppermost bonded snow of `count` cells from (0, y) on.
-  void (*strength)(const SnowLaw& law, int y, const std::int32_t* mobile, const std::int32_t* loose, float* strength,
-                   int count);
+  /// Which of `count` surfaces in `a` (64 at most) stand more than `step` over or under those in `b`, as bits. Ground
+  /// may be null where it is level.
+  std::uint64_t (*find_steep)(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
+                              const std::int32_t* snow_b, int count, int step);
+  void (*strength)(const SnowLaw& law, const SnowStrengthRow& row, StrengthLattice& lattice);
+  void (*survey)(const std::int32_t* bedrock, const std::int32_t* mobile, int count, SnowHeights& heights);
+  /// height = surface over `low`
+  void (*raise)(const std::int32_t* bedrock, const std::int32_t* mobile, int low, std::uint16_t* height, int count);
+  void (*shade)(const SnowShadowRow& row);
+  BoxKernels<std::uint32_t> boxes;
+  BoxKernels<std::uint64_t> wide_boxes;
 };
 
 const SnowKernels& snow_kernels(InstructionSet set);

@@ -1,4 +1,4 @@
-// What a time step did, in counts.
+// What time steps tell about themselves.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace erg {
 
-/// What one time step did, in counts.
+/// What one time step did, in counts, or several one after the other.
 struct StepReport {
   std::int64_t polls = 0;      ///< cells that were asked for a slab
   std::int64_t lifts = 0;      ///< slabs lifted
@@ -14,8 +14,9 @@ struct StepReport {
   std::int64_t slabs_in = 0;   ///< entered over an open edge
   std::int64_t slabs_out = 0;  ///< left over an open edge
   bool finished = false;       ///< nothing can move any more
-  std::string why_finished;
+  std::string why_finished;    ///< a clause for people; "" unless finished
 
+  /// Adds what a later step did.
   StepReport& operator+=(const StepReport& other);
 };
 

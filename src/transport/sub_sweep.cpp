@@ -66,7 +66,7 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   draw_lines(frame, key, line_age, drawn);
   drawn.p_sand_16 = static_cast<std::uint32_t>(std::llround(law.p_sand * 65536));
   drawn.p_bare_16 = static_cast<std::uint32_t>(std::llround(law.p_bare * 65536));
-  drawn.lift_in_shadow = law.erode_in_shadow;
+  drawn.lift_in_shadow = law.lift_in_shadow;
   const auto fall = [](double slabs) {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(fixed_point(slabs), 1, 0xffffffff));
   };

@@ -24,6 +24,7 @@ enum EdgeClass : std::uint8_t {
 };
 ERG_CELL_RULE bool is_diagonal(EdgeClass edges) { return edges >= rising_even; }
 
+/// One sub-sweep.
 struct SubSweep {
   int sweeps = 16;                    ///< K
   std::uint64_t sweep_word = 0;       ///< random word of (seed, step, sub-sweep)

@@ -43,6 +43,7 @@ class Barrier {
   Signal rounds_;
 };
 
+/// Threads that wait for jobs.
 class ThreadTeam {
  public:
   /// The calling thread is member 0; `size` - 1 threads are started. Throws InputError when the system gives fewer.

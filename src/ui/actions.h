@@ -9,6 +9,7 @@
 
 namespace erg {
 
+/// A thing to be done from a menu or with a key.
 struct Action {
   std::string menu;   ///< "File"
   std::string label;  ///< in the menu, and in the widget map: "menu File/Open..."

@@ -1,6 +1,7 @@
 // Curves that are drawn, not listed: a Bezier in a box, or a line of points, bent with the mouse or typed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <deque>
 #include <fstream>
 #include <map>
 #include <stdexcept>
 
-#include "io/image.h"
+#include "io/png.h"
 #include "ui/gui_renderer.h"
 #include "ui/land_view.h"
 #include "ui/panels.h"
@@ -83,7 +84,9 @@ class Desktop final : public Stage {
   static WindowOptions options(const DesktopRequest& request, const Settings& settings);
   void draw(int width, int height, float seconds);
   bool busy();
+  bool must_close();
 
+  const std::function<bool()> asked_to_end_;
   Studio studio_;
   Gui gui_;  // before the window, whose input goes into it
   Window window_;
@@ -107,7 +110,8 @@ WindowOptions Desktop::options(const DesktopRequest& request, const Settings& se
 }
 
 Desktop::Desktop(const DesktopRequest& request)
-    : studio_(request.folders),
+    : asked_to_end_(request.asked_to_end),
+      studio_(request.folders),
       window_(options(request, studio_.settings())),
       land_(window_.is_software()),
       shell_(studio_, *this, gui_),
@@ -149,6 +153,12 @@ bool Desktop::busy() {
          studio_.log().version() != shown_log_;
 }
 
+bool Desktop::must_close() {
+  if (!asked_to_end_ || !asked_to_end_()) return false;
+  std::fprintf(stderr, "erg: asked to end: %s\n", studio_.rescue().c_str());
+  return true;
+}
+
 void Desktop::draw(int width, int height, float seconds) {
   studio_.tick();
   shown_snapshot_ = studio_.now().number;
@@ -180,6 +190,7 @@ void Desktop::run() {
     window_.run({.draw = [this](int width, int height, float seconds) { draw(width, height, seconds); },
                  .busy = [this] { return busy(); },
                  .close_wanted = [this] { shell_.quit(); },
+                 .must_close = [this] { return must_close(); },
                  .display_lost = [this] { return "the display is gone: " + studio_.rescue(); }});
   } catch (const std::exception& error) {
     // The window cannot go on, but what runs in it is whole.

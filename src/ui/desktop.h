@@ -2,13 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
+#include <functional>
 
 #include "studio/studio.h"
 
 namespace erg {
 
+/// How the window begins.
 struct DesktopRequest {
   StudioFolders folders;
   /// Config or checkpoint to open; none: the gallery.
@@ -20,6 +20,9 @@ struct DesktopRequest {
   int height = 0;
   /// For tests: a file that counts the frames and lists where every widget lies, written with each frame. Empty: none.
   std::filesystem::path widget_map;
+  /// Whether the system has asked the program to end: then the runs are saved for the next start, and the window closes
+  /// without a question. Asked many times a second. Empty: it never does.
+  std::function<bool()> asked_to_end;
 };
 
 /// Opens the window and comes back when it is closed. Throws InputError where there is no display or no OpenGL 3.3.

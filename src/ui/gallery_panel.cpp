@@ -84,8 +84,7 @@ void draw_picture(Desk& desk, const Card& card, ImVec2 corner, ImVec2 end) {
 
 /// Opens a preset and lets it run.
 void grow(Desk& desk, const std::filesystem::path& preset) {
-  if (desk.studio.open(preset)) {
-    desk.studio.runner().play();
+  if (desk.studio.open_and_play(preset)) {
     desk.close(panel_title::gallery);
   } else {
     desk.open(panel_title::log);

@@ -29,11 +29,13 @@ class Gui {
   /// The one whose context is current.
   static Gui& current();
 
-  /// Between frames only; takes hold at once, except that letters of another size need new textures: `fonts_changed`.
+  /// Between frames only; takes hold at once.
   void set_theme(ThemeKind theme);
+  /// The same; letters of another size need a new texture (`font_version`).
   void set_scale(float scale);
 
   const Theme& theme() const { return theme_; }
+  /// Times the usual size.
   float scale() const { return scale_; }
   /// A length at scale 1 in pixels of this interface.
   float px(float length) const { return length * scale_; }

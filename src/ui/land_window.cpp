@@ -51,6 +51,14 @@ void centred(const std::string& text, const ImVec4& colour) {
   ImGui::TextColored(colour, "%s", text.c_str());
 }
 
+/// Number and model of a run that is compared, and the first thing in which it differs from the others.
+std::string caption(const Config& config, const std::vector<SetupDifference>& differences, std::size_t run) {
+  std::string text = std::to_string(run + 1) + "  " + find_model(config.model).info.title;
+  const auto first = std::ranges::find_if(differences, [](const SetupDifference& one) { return one.name != "model"; });
+  if (first != differences.end() && run < first->values.size()) text += "\n" + first->label + " " + first->values[run];
+  return text;
+}
+
 }  // namespace
 
 std::vector<LandPart> LandWindow::lands(const Snapshot& now) const {
@@ -135,7 +143,6 @@ void LandWindow::point(Desk& desk, const LandPart& land, bool hovered) {
   if (tool_ == LandTool::camera || ImGui::GetIO().KeyCtrl) return;
   desk.land.pressed = seen.has_value() && hovered && ImGui::IsMouseClicked(0);
   desk.land.held = active_ && ImGui::IsMouseDown(0);
-  desk.land.released = ImGui::IsMouseReleased(0);
 }
 
 void LandWindow::move_camera(const LandPart& land, bool hovered) {
@@ -198,14 +205,6 @@ void LandWindow::draw_reading(const Desk& desk, const LandPart& land) const {
                      static_cast<float>(land.part.top + land.part.height) - gui.px(12)};
   draw_plate(place, read_cell(terrain, *desk.land.cell).text(), gui.theme().text);
   mark("reading", {place.x, place.y - gui.px(20)}, {place.x + gui.px(200), place.y});
-}
-
-/// Number and model of a run that is compared, and the first thing in which it differs from the others.
-static std::string caption(const Config& config, const std::vector<SetupDifference>& differences, std::size_t run) {
-  std::string text = std::to_string(run + 1) + "  " + find_model(config.model).info.title;
-  const auto first = std::ranges::find_if(differences, [](const SetupDifference& one) { return one.name != "model"; });
-  if (first != differences.end() && run < first->values.size()) text += "\n" + first->label + " " + first->values[run];
-  return text;
 }
 
 void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& all) const {

@@ -15,6 +15,7 @@ namespace erg {
 /// The ground of a run as it is on the screen; null before it was drawn.
 using GroundOfRun = std::function<const LandGround*(std::size_t run)>;
 
+/// Holds no land itself: it looks at the snapshot, and asks for the ground that was drawn.
 class LandWindow {
  public:
   LandWindow(Scenery& scenery, GroundOfRun ground) : scenery_(scenery), ground_(std::move(ground)) {}

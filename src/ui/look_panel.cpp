@@ -175,21 +175,13 @@ void LookPanel::draw_sun() {
 }
 
 void LookPanel::draw_camera() {
-  const struct {
-    const char* label;
-    const char* preset;
-    const char* what;
-  } views[] = {{"Top", "top", "Straight from above, north up (1)"},
-               {"Oblique", "oblique", "Over the land towards the horizon (2)"},
-               {"Block", "block", "The whole of it, from the south (3)"},
-               {"Side", "side", "From the south, low (4)"},
-               {"Frame", "frame", "All of it, from where you look now (F)"}};
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float wide = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   int column = 0;
-  for (const auto& view : views) {
+  for (const OfferedView& view : offered_views) {
     if (column++ % 3 != 0) ImGui::SameLine();
-    if (button(view.label, {.tooltip = view.what, .size = {wide, 0}})) scenery_.wanted_view = view.preset;
+    const std::string what = std::string(view.what) + " (" + view.key + ")";
+    if (button(view.label, {.tooltip = what, .size = {wide, 0}})) scenery_.wanted_view = view.preset;
   }
 }
 

@@ -27,7 +27,7 @@ constexpr std::array<Spread, 3> spreads{
     Spread{"thickness", "thickness, slabs", [](const Terrain& terrain) { return thickness_histogram(terrain); }},
 };
 
-/// "height (m)".
+/// "height, m".
 std::string with_unit(const RunNumber& number) {
   return number.unit.empty() ? number.label : number.label + ", " + number.unit;
 }

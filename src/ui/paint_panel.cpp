@@ -1,5 +1,6 @@
-// PAINT: brushes of sand and rock.
+// PAINT: brushes of sand, rock and plants.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/units.h"
@@ -11,6 +12,24 @@ namespace erg {
 namespace {
 
 constexpr std::int64_t most_amount = 50;
+constexpr double least_strength = 0.01;
+
+// A button that stays down while `chosen`; true when it was pressed.
+bool choice(const std::string& label, bool chosen, float width, const std::string& hint) {
+  const ButtonLook look = chosen ? ButtonLook::accent : ButtonLook::plain;
+  return button(label.c_str(), {.tooltip = hint, .look = look, .size = {width, 0}});
+}
+
+// Pixels of one of so many buttons beside each other.
+float share_of_width(int count) {
+  const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x;
+  return (ImGui::GetContentRegionAvail().x - gaps) / static_cast<float>(count);
+}
+
+std::string capitals(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char letter) { return std::toupper(letter); });
+  return text;
+}
 
 class PaintPanel final : public Panel {
  public:
@@ -19,42 +38,74 @@ class PaintPanel final : public Panel {
   void draw(Desk& desk) override;
 
  private:
-  void draw_brush(const Studio& studio);
-  void choose(const char* label, bool& chosen, bool value, const std::string& hint) const;
+  void draw_materials(const RunSnapshot& run);
+  void draw_layers(const RunSnapshot& run);
+  void draw_brush(const RunSnapshot& run);
   static void draw_undo(Studio& studio);
   void stroke(Desk& desk);
   void mark_rim(Desk& desk) const;
 
   bool on_ = false;
-  bool rock_ = false;
+  BrushMaterial material_ = BrushMaterial::sand;
+  std::string field_;  // the layer's key, for BrushMaterial::field
   bool takes_ = false;
   double radius_ = 8;
   std::int64_t amount_ = 2;
+  double strength_ = 0.25;
   std::uint64_t stroke_ = 0;
   std::optional<CellPlace> last_;
 };
 
-void PaintPanel::choose(const char* label, bool& chosen, bool value, const std::string& hint) const {
-  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  const ButtonLook look = chosen == value ? ButtonLook::accent : ButtonLook::plain;
-  const float width = value ? -1.0f : half;
-  if (button(label, {.tooltip = hint, .look = look, .size = {width, 0}})) chosen = value;
+void PaintPanel::draw_materials(const RunSnapshot& run) {
+  const bool snow = find_model(run.config->model).info.material == Material::snow;
+  const float half = share_of_width(2);
+  if (choice(snow ? "SNOW##mobile" : "SAND##mobile", material_ == BrushMaterial::sand, half, "What the wind moves.")) {
+    material_ = BrushMaterial::sand;
+  }
+  ImGui::SameLine();
+  if (choice("ROCK", material_ == BrushMaterial::rock, half,
+             "Bedrock, which nothing moves. What lies on it is lifted along.")) {
+    material_ = BrushMaterial::rock;
+  }
+  draw_layers(run);
 }
 
-void PaintPanel::draw_brush(const Studio& studio) {
-  const bool snow =
-      studio.now().has_runs() && find_model(studio.now().runs.front().config->model).info.material == Material::snow;
-  choose(snow ? "SNOW##mobile" : "SAND##mobile", rock_, false, "What the wind moves.");
+// The layers of the model that can be painted, in a row.
+void PaintPanel::draw_layers(const RunSnapshot& run) {
+  const std::vector<std::string>& keys = find_model(run.config->model).info.painted;
+  if (material_ == BrushMaterial::field && std::ranges::find(keys, field_) == keys.end()) {
+    material_ = BrushMaterial::sand;  // another model, without that layer
+  }
+  if (keys.empty()) return;
+  const float width = share_of_width(static_cast<int>(keys.size()));
+  for (const std::string& key : keys) {
+    if (key != keys.front()) ImGui::SameLine();
+    const FieldInfo& info = find_field(run.terrain->fields(), key)->info;
+    const bool chosen = material_ == BrushMaterial::field && field_ == key;
+    if (!choice(capitals(info.label) + "##" + key, chosen, width, info.meaning)) continue;
+    material_ = BrushMaterial::field;
+    field_ = key;
+  }
+}
+
+void PaintPanel::draw_brush(const RunSnapshot& run) {
+  const float half = share_of_width(2);
+  if (choice("PUT", !takes_, half, "Each touch adds.")) takes_ = false;
   ImGui::SameLine();
-  choose("ROCK", rock_, true, "Bedrock, which nothing moves. What lies on it is lifted along.");
-  choose("PUT", takes_, false, "Each touch adds.");
-  ImGui::SameLine();
-  choose("TAKE", takes_, true, "Each touch takes away.");
+  if (choice("TAKE", takes_, half, "Each touch takes away.")) takes_ = true;
   real_row({.label = "radius", .unit = "cells", .tooltip = "From the middle of the brush to its rim."}, radius_, 1,
            128);
-  integer_row(
-      {.label = "amount", .unit = "slabs", .tooltip = "Slabs at the middle for each touch; fewer toward the rim."},
-      amount_, 1, most_amount);
+  if (material_ != BrushMaterial::field) {
+    integer_row(
+        {.label = "amount", .unit = "slabs", .tooltip = "Slabs at the middle for each touch; fewer toward the rim."},
+        amount_, 1, most_amount);
+    return;
+  }
+  const FieldInfo& info = find_field(run.terrain->fields(), field_)->info;
+  real_row({.label = "strength",
+            .unit = info.unit,
+            .tooltip = "What each touch adds at the middle; less toward the rim. It stays within the layer's range."},
+           strength_, least_strength, info.maximum - info.minimum);
 }
 
 void PaintPanel::draw_undo(Studio& studio) {
@@ -88,11 +139,13 @@ void PaintPanel::stroke(Desk& desk) {
   if (last_ && std::hypot(land.cell->x - last_->x, land.cell->y - last_->y) < 0.5 * radius_) return;
   last_ = land.cell;
   Dab dab;
-  dab.material = rock_ ? BrushMaterial::rock : BrushMaterial::sand;
+  dab.material = material_;
   dab.x = land.cell->x + 0.5;
   dab.y = land.cell->y + 0.5;
   dab.radius = radius_;
   dab.amount = static_cast<std::int32_t>(takes_ ? -amount_ : amount_);
+  dab.field = field_;
+  dab.strength = takes_ ? -strength_ : strength_;
   desk.studio.runner().paint(desk.studio.shown(), dab, stroke_);
 }
 
@@ -120,7 +173,9 @@ void PaintPanel::draw(Desk& desk) {
               .size = {-1, 0}})) {
     on_ = !on_;
   }
-  draw_brush(desk.studio);
+  const RunSnapshot& run = *desk.studio.active_run();
+  draw_materials(run);
+  draw_brush(run);
   draw_undo(desk.studio);
   if (!on_) return;
   desk.tool = LandTool::paint;

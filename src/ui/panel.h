@@ -30,14 +30,13 @@ struct LandPointer {
   std::optional<CellPlace> cell;  ///< under the pointer; none beside the land or over a panel
   bool pressed = false;           ///< the left button went down on `cell` in this frame, with a tool other than camera
   bool held = false;              ///< it is down since
-  bool released = false;          ///< it went up in this frame
 };
 
 /// A line of markings that a panel wants to see over the land: the cross-section, the brush's rim.
 struct LandMark {
-  std::vector<std::array<double, 2>>
-      points;  ///< in cells, cell centres at whole numbers; joined by lines on the ground
-  bool closed = false;
+  /// In cells, cell centres at whole numbers; joined by lines on the ground.
+  std::vector<std::array<double, 2>> points;
+  bool closed = false;  ///< the last is joined to the first
 };
 
 /// A key and what it does, for the help.
@@ -73,6 +72,7 @@ enum class Dock {
   dialog  ///< a window of its own over the land, opened from the menus or by Desk::open
 };
 
+/// A part of the interface.
 class Panel {
  public:
   virtual ~Panel() = default;

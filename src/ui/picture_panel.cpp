@@ -10,7 +10,7 @@
 namespace erg {
 namespace {
 
-constexpr std::int64_t largest_side = 16384;  // pixels
+constexpr std::int64_t longest_side = 16384;  // pixels
 
 class PicturePanel final : public Panel {
  public:
@@ -81,9 +81,9 @@ void PicturePanel::draw_sizes() {
       height_ = size.height;
     }
   }
-  const std::string range = "1 to " + std::to_string(largest_side) + " pixels";
-  integer_row({.label = "width", .unit = "pixels", .tooltip = range}, width_, 1, largest_side);
-  integer_row({.label = "height", .unit = "pixels", .tooltip = range}, height_, 1, largest_side);
+  const std::string range = "1 to " + std::to_string(longest_side) + " pixels";
+  integer_row({.label = "width", .unit = "pixels", .tooltip = range}, width_, 1, longest_side);
+  integer_row({.label = "height", .unit = "pixels", .tooltip = range}, height_, 1, longest_side);
 }
 
 void PicturePanel::write(Desk& desk) {

@@ -42,13 +42,15 @@ struct PlotLine {
 
 /// A framed area with its scales: what plots and curve editors are drawn into.
 struct PlotArea {
-  ImVec2 upper_left;
+  ImVec2 upper_left;  ///< pixels
   ImVec2 lower_right;
   AxisRange x;
   AxisRange y;
   bool hovered = false;
 
+  /// The pixel of a value pair.
   ImVec2 at(double px, double py) const;
+  /// The value of x at a pixel's column.
   double x_at(float pixel) const;
 };
 

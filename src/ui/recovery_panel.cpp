@@ -43,7 +43,7 @@ bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
   }
   ImGui::SameLine();
   if (button("DISCARD", {.tooltip = "Deletes what was saved of it, for good."})) {
-    desk.studio.discard_lost(index);
+    desk.studio.discard_lost(lost.folder);
     return true;
   }
   return false;

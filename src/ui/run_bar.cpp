@@ -115,7 +115,7 @@ void RunBar::draw_buttons(Studio& studio) {
   const Snapshot& now = studio.now();
   const bool running = now.activity == Activity::running;
   const float wide = Gui::current().px(92);
-  if (button("\u25c0\u25c0 Reset##reset", {.tooltip = "Back to step 0 of this land (R). Can be undone.",
+  if (button("\u25c0\u25c0 Reset##reset", {.tooltip = "Back to where this land began (R). Can be undone.",
                                            .unavailable = now.has_runs() ? "" : "There is no land yet.",
                                            .name = "reset",
                                            .size = {wide, 0}})) {

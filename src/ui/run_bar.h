@@ -10,6 +10,7 @@ namespace erg {
 /// The run bar: one row of controls in the current ImGui window.
 class RunBar {
  public:
+  /// Draws it; what is pressed goes to the studio's runner.
   void draw(Studio& studio);
 
  private:

@@ -20,12 +20,26 @@ struct Scenery {
   std::string wanted_view = "block";
 };
 
+/// A view that menu, keys and LOOK offer.
+struct OfferedView {
+  const char* label;
+  const char* preset;  ///< as LandCamera::choose takes it
+  char key;
+  const char* what;
+};
+inline constexpr OfferedView offered_views[] = {{"Top", "top", '1', "Straight from above, north up"},
+                                                {"Oblique", "oblique", '2', "Over the land towards the horizon"},
+                                                {"Block", "block", '3', "The whole of it, from the south"},
+                                                {"Side", "side", '4', "From the south, low"},
+                                                {"Frame", "frame", 'F', "All of it, from where you look now"}};
+
 /// Cameras kept by name, as JSON files of a folder.
 class Bookmarks {
  public:
   /// Reads what is there; an empty folder keeps nothing beyond the program's end.
   explicit Bookmarks(std::filesystem::path folder);
 
+  /// One of them.
   struct Entry {
     std::string name;
     Camera camera;

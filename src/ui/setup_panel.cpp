@@ -38,8 +38,11 @@ class SetupPanel final : public Panel {
   static void draw_buttons(Desk& desk, const Config* running);
   static void draw_model(Setup& setup);
   void draw_groups(Setup& setup, const Config* running, const Settings& settings);
+  void draw_rows(Setup& setup, const std::string& group, const Config* running, const Settings& settings);
   static void draw_seed(Setup& setup);
 
+  std::string picture_group_;  ///< group and key of the path that the browser is asked for
+  std::string picture_key_;
   FilePopup picture_{{.title = "CHOOSE A PICTURE", .action = "CHOOSE", .endings = {".png", ".jpg", ".jpeg", ".bmp"}}};
 };
 
@@ -116,17 +119,23 @@ void SetupPanel::draw_seed(Setup& setup) {
   }
 }
 
+void SetupPanel::draw_rows(Setup& setup, const std::string& group, const Config* running, const Settings& settings) {
+  const std::string path = draw_setup_rows(setup, group, running);
+  if (path.empty()) return;
+  picture_group_ = group;
+  picture_key_ = path;
+  picture_.ask(settings, "");
+}
+
 void SetupPanel::draw_groups(Setup& setup, const Config* running, const Settings& settings) {
   if (section("Model")) {
-    draw_setup_rows(setup, "parameters", running);
+    draw_rows(setup, "parameters", running, settings);
     for (const std::string& meaning : setup.explanations()) explain(meaning);
   }
-  if (section("Scene")) {
-    if (!draw_setup_rows(setup, "scene", running).empty()) picture_.ask(settings, "");
-  }
-  if (section("Grid")) draw_setup_rows(setup, "grid", running);
+  if (section("Scene")) draw_rows(setup, "scene", running, settings);
+  if (section("Grid")) draw_rows(setup, "grid", running, settings);
   if (section("Run")) {
-    draw_setup_rows(setup, "run", running);
+    draw_rows(setup, "run", running, settings);
     draw_seed(setup);
   }
 }
@@ -138,7 +147,7 @@ void SetupPanel::draw(Desk& desk) {
   draw_buttons(desk, running);
   draw_model(studio.setup());
   draw_groups(studio.setup(), running, studio.settings());
-  if (const auto file = picture_.draw(studio)) studio.setup().set("scene", "image", file->string());
+  if (const auto file = picture_.draw(studio)) studio.setup().set(picture_group_, picture_key_, file->string());
 }
 
 }  // namespace

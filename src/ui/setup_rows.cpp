@@ -14,11 +14,11 @@ void draw_row(Setup& setup, const SetupRow& row) {
 
 }  // namespace
 
-std::string draw_setup_rows(Setup& setup, const std::string& group, const Config* running, const std::string& skip) {
+std::string draw_setup_rows(Setup& setup, const std::string& group, const Config* running) {
   const WidgetScope scope(group);
   std::string wanted_path;
   for (const SetupRow& row : setup.rows(group, running)) {
-    if (!row.relevant || row.parameter->key == skip) continue;
+    if (!row.relevant) continue;
     draw_row(setup, row);
     if (row.parameter->kind != ParameterKind::path) continue;
     if (button("BROWSE", {.tooltip = "Choose the picture from your folders."})) wanted_path = row.parameter->key;

@@ -35,12 +35,15 @@ class Stage {
   virtual ImTextureID picture(const std::filesystem::path& path) = 0;
   /// Draws the active run and writes it. Throws InputError.
   virtual void save_picture(const PictureOrder& order) = 0;
+  /// Pictures drawn in the last second.
   virtual float frames_per_second() const = 0;
   /// Height of the screen in pixels, for the interface's own choice of scale.
   virtual int screen_height() const = 0;
+  /// Ends the program after this frame.
   virtual void close() = 0;
 };
 
+/// The interface.
 class Shell {
  public:
   /// All three must outlive it.
@@ -49,7 +52,7 @@ class Shell {
   Shell(const Shell&) = delete;
   Shell& operator=(const Shell&) = delete;
 
-  /// One frame, between Gui's begin and end.
+  /// One frame, within Gui::frame.
   void draw();
 
   /// Takes over theme and scale from the settings. Between frames.

@@ -64,19 +64,10 @@ void Shell::make_file_actions() {
 }
 
 void Shell::make_view_actions() {
-  const auto view = [this](const char* preset) { return [this, preset] { scenery_.wanted_view = preset; }; };
   const auto nothing = [this] { return why_nothing_to_save(); };
-  const struct {
-    const char* label;
-    const char* preset;
-    int key;
-  } views[] = {{"Top", "top", '1'},
-               {"Oblique", "oblique", '2'},
-               {"Block", "block", '3'},
-               {"Side", "side", '4'},
-               {"Frame all", "frame", 'F'}};
-  for (const auto& [label, preset, key] : views) {
-    actions_.push_back({.menu = "View", .label = label, .key = key, .act = view(preset), .unavailable = nothing});
+  for (const OfferedView& view : offered_views) {
+    const auto take_up = [this, preset = view.preset] { scenery_.wanted_view = preset; };
+    actions_.push_back({.menu = "View", .label = view.label, .key = view.key, .act = take_up, .unavailable = nothing});
   }
   actions_.push_back({.menu = "View",
                       .label = "Compare\u2026",

@@ -4,11 +4,10 @@
 #include <imgui.h>
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace erg {
 
+/// Light letters on dark ground, or the other way round.
 enum class ThemeKind { dark, light };
 
 /// Colours by what they mean.
@@ -26,6 +25,7 @@ struct Theme {
   ImVec4 good;       ///< what is as it should be
   ImVec4 lost;       ///< what is lost or failed; nothing else is red
 
+  /// The theme of a kind.
   static Theme make(ThemeKind kind);
   /// Colours of lines in a plot, told apart by people who see fewer colours too.
   ImVec4 line(int index) const;

@@ -21,12 +21,15 @@ struct WidgetPlace {
   bool operator==(const WidgetPlace& other) const;
 };
 
+/// All of a frame.
 class WidgetMap {
  public:
   /// Forgets the last frame.
   void begin_frame();
+  /// What is added until `leave` stands under "scope/".
   void enter(std::string_view scope);
   void leave();
+  /// Adds a widget by its label and its corners in pixels.
   void add(std::string_view label, ImVec2 low, ImVec2 high, bool enabled);
 
   const std::vector<WidgetPlace>& places() const { return places_; }

@@ -120,6 +120,26 @@ void add_to_map(std::string_view name, ImVec2 low, ImVec2 high, ImGuiItemFlags f
   Gui::current().widgets().add(shown(name), seen_low, seen_high, (flags & ImGuiItemFlags_Disabled) == 0);
 }
 
+/// A curve of points under its label; a row to itself.
+RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& curve) {
+  ImGui::TextUnformatted(row.label.c_str());
+  mark(row.label);
+  tooltip(row.tooltip);
+  const WidgetScope scope(row.label);
+  ImGui::BeginDisabled(!row.unavailable.empty());
+  const std::vector<CurvePoint>& standard = std::get<PiecewiseLinear>(parameter.standard).vertices;
+  CurveFrame frame;
+  frame.x_label = parameter.across;
+  frame.y_label = parameter.unit;
+  frame.x = {std::min(standard.front().x, curve.vertices.front().x),
+             std::max(standard.back().x, curve.vertices.back().x)};
+  frame.y = {parameter.minimum, parameter.maximum};
+  frame.height = Gui::current().px(170);
+  const bool changed = edit_points("points", curve.vertices, standard, frame);
+  ImGui::EndDisabled();
+  return changed ? RowEvent::changed : RowEvent::none;
+}
+
 }  // namespace
 
 void mark(std::string_view name) {
@@ -281,26 +301,6 @@ std::string parameter_tooltip(const Parameter& parameter) {
   add("source", parameter.source);
   add("key", parameter.key);
   return text;
-}
-
-/// A curve of points under its label; a row to itself.
-static RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& curve) {
-  ImGui::TextUnformatted(row.label.c_str());
-  mark(row.label);
-  tooltip(row.tooltip);
-  const WidgetScope scope(row.label);
-  ImGui::BeginDisabled(!row.unavailable.empty());
-  const std::vector<CurvePoint>& standard = std::get<PiecewiseLinear>(parameter.standard).vertices;
-  CurveFrame frame;
-  frame.x_label = parameter.across;
-  frame.y_label = parameter.unit;
-  frame.x = {std::min(standard.front().x, curve.vertices.front().x),
-             std::max(standard.back().x, curve.vertices.back().x)};
-  frame.y = {parameter.minimum, parameter.maximum};
-  frame.height = Gui::current().px(170);
-  const bool changed = edit_points("points", curve.vertices, standard, frame);
-  ImGui::EndDisabled();
-  return changed ? RowEvent::changed : RowEvent::none;
 }
 
 RowEvent parameter_row(const Parameter& parameter, ParameterValue& value, bool needs_new_terrain,

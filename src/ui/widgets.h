@@ -41,11 +41,13 @@ void explain(std::string_view text);
 /// A wrapped line in a colour.
 void say(std::string_view text, const ImVec4& colour);
 
+/// How much a button asks to be pressed.
 enum class ButtonLook {
   plain,
   accent,  ///< the one thing that should be done next
   quiet    ///< without a frame until the pointer is on it
 };
+/// What a button is besides its label.
 struct ButtonInfo {
   std::string_view tooltip = {};
   /// Why it cannot be pressed now, shown in its tooltip; "" when it can.

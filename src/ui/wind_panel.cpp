@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "studio/studio.h"
+#include "studio/wind_cycle.h"
 #include "ui/axis_ticks.h"
 #include "ui/curve_editor.h"
 #include "ui/panels.h"

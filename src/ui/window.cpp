@@ -174,6 +174,11 @@ struct Window::Hidden {
     guarded([&] { busy = events.busy() || busy; });
     return busy;
   }
+  void close_if_it_must() {
+    guarded([this] {
+      if (events.must_close()) leave();
+    });
+  }
   // freeglut would destroy the window before anybody could be asked: its wish to close is taken out of the queue.
   void take_close_wish(::Display* display) {
     Atom wish = XInternAtom(display, "WM_DELETE_WINDOW", False);
@@ -321,6 +326,7 @@ void Window::run(const WindowEvents& events) {
   ::Display* const display = glXGetCurrentDisplay();
   while (hidden_->running) {
     hidden_->take_close_wish(display);
+    hidden_->close_if_it_must();
     glutMainLoopEvent();
     const bool busy = hidden_->is_busy();
     if (busy) glutPostRedisplay();

@@ -7,6 +7,7 @@
 
 namespace erg {
 
+/// How the window opens.
 struct WindowOptions {
   std::string title = "Erg";
   int width = 0;  ///< pixels, at most the screen's; 0: as suits the screen
@@ -22,6 +23,8 @@ struct WindowEvents {
   std::function<bool()> busy;
   /// The person wants to close the window: Window::close() does it, now or after a question.
   std::function<void()> close_wanted;
+  /// Whether the window has to close now, without a question. Asked at least once a frame.
+  std::function<bool()> must_close;
   /// The display is gone, and with it the window. Save what there is; the words returned are the last that are said.
   /// Runs in the midst of anything the window's thread was doing; the program ends right after.
   std::function<std::string()> display_lost;

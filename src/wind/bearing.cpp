@@ -45,12 +45,6 @@ std::string point_name(std::string_view text) {
 
 }  // namespace
 
-double fold_bearing(double degrees) {
-  const double rest = std::fmod(degrees, 360.0);
-  const double folded = rest < 0 ? rest + 360 : rest;
-  return folded < 360 ? folded + 0.0 : 0.0;  // a tiny negative angle rounds up to 360; -0 becomes 0
-}
-
 Direction downwind(double bearing) {
   const double folded = fold_bearing(bearing);
   const int quadrant = static_cast<int>(folded / 90);

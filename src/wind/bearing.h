@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/units.h"
+
 namespace erg {
 
 /// A direction on the ground: x east, y north, length 1.
@@ -21,9 +23,6 @@ double bearing_of(Direction toward);
 /// What a bearing may be given as: at most this far from north either way, or a point of the compass.
 inline constexpr double largest_bearing = 360;
 inline constexpr const char* accepted_bearings = "-360 to 360 degrees, or a compass point such as W or NNE";
-
-/// The same bearing in [0, 360).
-double fold_bearing(double degrees);
 
 /// Reads "270", "-90", "W", "ssw", "west"; in [0, 360). Throws InputError with `place`.
 double parse_bearing(std::string_view text, const std::string& place);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/surface_range.h"
 #include "core/units.h"
 #include "wind/wind_frame.h"
 
@@ -25,18 +26,11 @@ int drift(const WindFrame& frame, int v) { return static_cast<int>(std::floor(v 
 
 // Rows before the grid from which a shadow can still reach into it, on a torus.
 int warm_up_rows(const Terrain& terrain, const WindFrame& frame, double fall) {
-  const auto bedrock = terrain.bedrock().cells();
-  const auto mobile = terrain.mobile().cells();
-  std::int32_t low = std::numeric_limits<std::int32_t>::max();
-  std::int32_t high = std::numeric_limits<std::int32_t>::min();
-  for (std::size_t cell = 0; cell < bedrock.size(); ++cell) {
-    low = std::min(low, bedrock[cell] + mobile[cell]);
-    high = std::max(high, bedrock[cell] + mobile[cell]);
-  }
+  const SurfaceRange range = surface_range(terrain);
   // An axis wind meets the same cells again after one round; an oblique one is followed for at most `largest_side`
   // rows.
   const int limit = frame.tangent > 0 ? largest_side : frame.length;
-  const double reach = (static_cast<double>(high) - low) * frame.cosine / std::max(fall, 1e-12) + 3;
+  const double reach = (static_cast<double>(range.high) - range.low) * frame.cosine / std::max(fall, 1e-12) + 3;
   return reach < limit ? static_cast<int>(reach) : limit;
 }
 
@@ -76,7 +70,7 @@ Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fal
 Field shadow_field(const Terrain& terrain, double bearing, double fall) {
   const Grid<std::uint8_t> dark = shadow_map(terrain, bearing, fall);
   Field field{{.key = "shadow",
-               .label = "Wind shadow",
+               .label = "wind shadow",
                .unit = "",
                .minimum = 0,
                .maximum = 1,

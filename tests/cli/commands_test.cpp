@@ -19,6 +19,12 @@ TEST(Commands, ModelsListsEveryModelAndModelItsParameters) {
   EXPECT_EQ(run_erg(folder, {"model", "wernr"}).exit_code, 2);
 }
 
+TEST(Commands, AModelIsExplainedForTheCellsThatItStartsWith) {
+  const ScratchFolder folder;
+  EXPECT_NE(run_erg(folder, {"model", "grains"}).output.find("cells of 0.01 m"), std::string::npos);
+  EXPECT_NE(run_erg(folder, {"model", "werner"}).output.find("cells of 1 m"), std::string::npos);
+}
+
 TEST(Commands, ManualPagesAreWhatTheProgramPrints) {
   const ScratchFolder folder;
   for (const std::string key :
@@ -29,7 +35,7 @@ TEST(Commands, ManualPagesAreWhatTheProgramPrints) {
                             : key == "snow_sintering" ? "| slab_height | "
                                                       : "| p_sand | 0.6 | 0 to 1 |";
     EXPECT_NE(page.output.find(row), std::string::npos) << page.output;
-    const std::string committed = read_text(std::string(ERG_SOURCE_DIR) + "/docs/models/" + key + ".md");
+    const std::string committed = read_bytes(std::string(ERG_SOURCE_DIR) + "/docs/models/" + key + ".md");
     EXPECT_NE(committed.find(page.output), std::string::npos)
         << "docs/models/" << key << ".md is out of date: run `erg model " << key << " --markdown`";
   }
@@ -57,6 +63,7 @@ TEST(Commands, SchemaIsJson) {
   const Ended schema = run_erg(folder, {"schema"});
   ASSERT_EQ(schema.exit_code, 0);
   EXPECT_TRUE(nlohmann::json::parse(schema.output).is_object());
+  EXPECT_TRUE(schema.output.ends_with("}\n"));
 }
 
 TEST(Commands, ValidatePrintsTheSectionAskedFor) {
@@ -67,6 +74,9 @@ TEST(Commands, ValidatePrintsTheSectionAskedFor) {
   EXPECT_EQ(section.output.find("\n## "), std::string::npos) << "no other section";
   EXPECT_EQ(run_erg(folder, {"validate", "--section", "identity"}).exit_code, 2);
   EXPECT_EQ(run_erg(folder, {"validate", "--scene", "snow_ripples"}).exit_code, 2) << "a row of which section";
+  const Ended other = run_erg(folder, {"validate", "--section", "identities", "--scene", "snow_ripples"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_EQ(other.errors, "--scene snow_ripples: is a row of the section published; add --section published\n");
 }
 
 TEST(Commands, BenchWritesARowForEachExecutor) {

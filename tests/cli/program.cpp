@@ -6,33 +6,20 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 namespace erg::test {
 
 namespace fs = std::filesystem;
 
-ScratchFolder::ScratchFolder() {
-  std::string pattern = (fs::temp_directory_path() / "erg-test-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a folder for the test");
-  path_ = pattern;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 std::string ScratchFolder::write(const std::string& name, const std::string& text) const {
-  std::ofstream(file(name)) << text;
+  write_bytes(file(name), text);
   return file(name);
 }
 
 std::vector<std::string> ScratchFolder::entries() const {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+  for (const auto& entry : fs::directory_iterator(path())) names.push_back(entry.path().filename().string());
   return names;
 }
 
@@ -71,14 +58,14 @@ Program::~Program() {
 
 void Program::send(int signal) const { kill(process_, signal); }
 
-std::string Program::errors_so_far() const { return read_text(errors_); }
+std::string Program::errors_so_far() const { return read_bytes(errors_); }
 
 Ended Program::wait() {
   int status = 0;
   rusage used{};
   wait4(process_, &status, 0, &used);
   process_ = -1;
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(output_), read_text(errors_),
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_bytes(output_), read_bytes(errors_),
           static_cast<std::uint64_t>(used.ru_maxrss) * 1024};
 }
 
@@ -87,14 +74,7 @@ Ended run_erg(const ScratchFolder& folder, const std::vector<std::string>& argum
   return Program(folder, arguments, in_child).wait();
 }
 
-std::string read_text(const fs::path& path) {
-  std::ifstream stream(path);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-nlohmann::json read_json(const fs::path& path) { return nlohmann::json::parse(read_text(path)); }
+nlohmann::json read_json(const fs::path& path) { return nlohmann::json::parse(read_bytes(path)); }
 
 std::string small_config(int steps) {
   nlohmann::json config;

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "../unit/temporary_folder.h"
+
 namespace erg::test {
 
 /// How a run of the program ended.
@@ -19,24 +21,15 @@ struct Ended {
   std::uint64_t most_memory = 0;  ///< bytes that it held at most
 };
 
-/// A folder that is gone afterwards.
-class ScratchFolder {
+/// The folder that the program works in.
+class ScratchFolder : public TemporaryFolder {
  public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
   /// The path of a file in it.
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  std::string file(const std::string& name) const { return (*this / name).string(); }
   /// Writes a file and returns its path.
   std::string write(const std::string& name, const std::string& text) const;
   /// Names of the files and folders in it.
   std::vector<std::string> entries() const;
-
- private:
-  std::filesystem::path path_;
 };
 
 /// The program at work in a scratch folder.
@@ -64,7 +57,6 @@ class Program {
 Ended run_erg(const ScratchFolder& folder, const std::vector<std::string>& arguments,
               const std::function<void()>& in_child = {});
 
-std::string read_text(const std::filesystem::path& path);
 nlohmann::json read_json(const std::filesystem::path& path);
 
 /// A config that runs in an instant: 48 x 32 cells of Momiji, `steps` steps.

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "io/image.h"
+#include "io/png.h"
 #include "program.h"
 
 namespace erg::test {
@@ -15,7 +15,7 @@ struct Header {
   int width = 0, height = 0, colour = 0;
 };
 Header png_header(const std::string& path) {
-  const std::string bytes = read_text(path);
+  const std::string bytes = read_bytes(path);
   if (bytes.size() < 26 || bytes.substr(1, 3) != "PNG") return {};
   const auto number = [&](std::size_t at) {
     int value = 0;
@@ -63,7 +63,7 @@ TEST(Render, DrawsAConfigAndACheckpointAlike) {
                                         "--supersample", "1", "--quiet"});
   ASSERT_EQ(second.exit_code, 0) << second.errors;
   EXPECT_EQ(second.output, "");
-  EXPECT_EQ(read_text(folder.file("a.png")), read_text(folder.file("b.png")));
+  EXPECT_EQ(read_bytes(folder.file("a.png")), read_bytes(folder.file("b.png")));
   bool told = false;
   for (const auto& [name, text] : read_png_metadata(folder.file("b.png"))) told |= name == "erg:step" && text == "12";
   EXPECT_TRUE(told) << "the picture says what it shows";
@@ -77,7 +77,7 @@ TEST(Render, StepsAndLooksAreAsAskedFor) {
     words.insert(words.end(), more.begin(), more.end());
     const Ended ended = run_erg(folder, words);
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
-    return read_text(folder.file(out));
+    return read_bytes(folder.file(out));
   };
   const std::string usual = draw("usual.png", {});
   for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{{"--steps", "0"},
@@ -103,7 +103,7 @@ TEST(Render, DrawsTheWaysOfGrains) {
     const Ended ended = run_erg(folder, {"render", config, "--out", "a.png", "--size", "64x48", "--supersample", "1",
                                          "--paths", paths, "--quiet"});
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
-    return read_text(folder.file("a.png"));
+    return read_bytes(folder.file("a.png"));
   };
   const std::string without = draw("0");
   EXPECT_EQ(png_header(folder.file("a.png")).width, 64);
@@ -203,7 +203,7 @@ TEST(Film, FramesAreJoinedByFfmpeg) {
   const Ended ended = film(folder);
   ASSERT_EQ(ended.exit_code, 0) << ended.errors;
   EXPECT_EQ(ended.errors.find("No film"), std::string::npos) << ended.errors;
-  const std::string movie = read_text(folder.file("out/small.mp4"));
+  const std::string movie = read_bytes(folder.file("out/small.mp4"));
   ASSERT_GT(movie.size(), 500u);
   EXPECT_EQ(movie.substr(4, 4), "ftyp") << "how an MP4 file begins";
   // The box `stts` counts the frames: five, of one length. Its fields: version, entries, frames, length.
@@ -224,7 +224,7 @@ TEST(Film, FramesOfAnEarlierLongerRunAreNotInIt) {
   const Ended ended = film(folder);
   ASSERT_EQ(ended.exit_code, 0) << ended.errors;
   EXPECT_TRUE(std::filesystem::exists(folder.file("out/small-frames/000006.png"))) << "of the longer run";
-  EXPECT_NE(read_text(folder.file("asked.txt")).find(" -frames:v 5 "), std::string::npos);
+  EXPECT_NE(read_bytes(folder.file("asked.txt")).find(" -frames:v 5 "), std::string::npos);
 }
 
 TEST(Film, WithoutFfmpegTheFramesStayAndSayWhatIsMissing) {

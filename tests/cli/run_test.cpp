@@ -135,10 +135,10 @@ TEST(Run, WritesEveryFormat) {
     EXPECT_EQ(beginning(stem + "-height.png", 8), png_signature);
     EXPECT_EQ(beginning(stem + "-height.png", 26).substr(16), std::string("\0\0\0\x30\0\0\0\x20\x10\0", 10))
         << "48 x 32 pixels, 16 bits, grey";
-    EXPECT_NE(read_text(stem + ".vti").find("<VTKFile type=\"ImageData\""), std::string::npos);
+    EXPECT_NE(read_bytes(stem + ".vti").find("<VTKFile type=\"ImageData\""), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(stem + ".checkpoint"));
   }
-  const std::string table = read_text(folder.file("out/small.csv"));
+  const std::string table = read_bytes(folder.file("out/small.csv"));
   for (const char* row : {"\nstep,", "\n0,", "\n10,", "\n20,"}) {
     EXPECT_NE(table.find(row), std::string::npos) << row << "\n" << table;
   }
@@ -152,15 +152,15 @@ TEST(Run, WritesTheMeshesAskedForAndNothingElse) {
   const std::filesystem::directory_iterator written(folder.path() / "out");
   EXPECT_EQ(std::distance(begin(written), end(written)), 3);
   const std::string stem = folder.file("out/small-000002");
-  const std::string obj = read_text(stem + ".obj");
+  const std::string obj = read_bytes(stem + ".obj");
   std::size_t corners = 0;
   for (std::size_t at = 0; (at = obj.find("\nv ", at)) != std::string::npos; ++at) ++corners;
   EXPECT_EQ(corners, cells);
-  const std::string ply = read_text(stem + ".ply");
+  const std::string ply = read_bytes(stem + ".ply");
   EXPECT_EQ(ply.substr(0, 4), "ply\n");
   EXPECT_NE(ply.find("element vertex " + std::to_string(cells) + "\n"), std::string::npos);
   // A header of 80 bytes, the number of triangles, 50 bytes for each.
-  const std::string stl = read_text(stem + ".stl");
+  const std::string stl = read_bytes(stem + ".stl");
   ASSERT_GT(stl.size(), 84u);
   std::uint32_t triangles = 0;
   std::memcpy(&triangles, stl.data() + 80, sizeof triangles);

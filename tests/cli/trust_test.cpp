@@ -45,7 +45,7 @@ void expect_whole_table(const std::string& text) {
 void expect_whole(const fs::path& path) {
   SCOPED_TRACE(path.filename().string());
   const std::string kind = path.extension();
-  const std::string text = read_text(path);
+  const std::string text = read_bytes(path);
   if (kind == ".checkpoint") {
     EXPECT_NO_THROW(read_checkpoint(path));
   } else if (kind == ".png") {
@@ -135,7 +135,7 @@ TEST(Killed, ARunGoesOnToTheSameBitsAndTheSameTable) {
   EXPECT_EQ(resumed.output, whole.output);
   // Below the provenance, which tells when each was begun, the tables are the same.
   const auto rows = [&](const std::string& name) {
-    const std::string text = read_text(folder.file(name));
+    const std::string text = read_bytes(folder.file(name));
     return text.substr(text.find("\nstep,"));
   };
   EXPECT_EQ(rows("out/small.csv"), rows("whole/small.csv"));
@@ -145,7 +145,7 @@ TEST(Killed, ARunGoesOnToTheSameBitsAndTheSameTable) {
 std::map<std::string, std::string> contents(const fs::path& folder) {
   std::map<std::string, std::string> all;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) all[entry.path().string()] = read_text(entry.path());
+    if (entry.is_regular_file()) all[entry.path().string()] = read_bytes(entry.path());
   }
   return all;
 }
@@ -225,7 +225,7 @@ TEST(FullDisk, AFilmThatFailsLeavesTheOlderFilm) {
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_TRUE(ended.errors.starts_with("out/small.mp4: ")) << ended.errors;
   EXPECT_EQ(ended.output.size(), 17u) << "the run itself was done";
-  EXPECT_EQ(read_text(folder.file("out/small.mp4")), "the older film");
+  EXPECT_EQ(read_bytes(folder.file("out/small.mp4")), "the older film");
   EXPECT_EQ(finished_files(folder.file("out")).size(), 3u) << "two frames and the film";
 }
 

@@ -74,12 +74,18 @@ TEST(WrongUse, OptionsThatWouldDoNothingAreRefused) {
   const ScratchFolder folder;
   folder.write("small.json", small_config(5));
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{"--look", "slope"}, "--frames"}, {{"--size", "64x48"}, "--frames"}, {{"--flux"}, "--format vti"}};
-  for (const auto& [options, word] : cases) {
-    std::vector<std::string> words{"run", "small.json"};
-    words.insert(words.end(), options.begin(), options.end());
+      {{"run", "small.json", "--look", "slope"}, "--frames"},
+      {{"run", "small.json", "--size", "64x48"}, "--frames"},
+      {{"run", "small.json", "--flux"}, "--format vti"},
+      {{"render", "small.json", "--out", "a.png", "--paths", "9"}, "momiji moves no single grains"},
+      {{"render", "small.json", "--out", "a.png", "--set", "model=grains", "--steps", "0", "--paths", "9"},
+       "--steps 1"},
+      {{"bench", "--render", "--json"}, "--json"},
+      {{"bench", "--context", "egl"}, "--render"},
+      {{"gallery", "small.json", "--out", "."}, "no such preset"}};
+  for (const auto& [words, word] : cases) {
     const Ended ended = run_erg(folder, words);
-    EXPECT_EQ(ended.exit_code, 2) << options[0];
+    EXPECT_EQ(ended.exit_code, 2) << words.back();
     expect_contains(ended.errors, word);
   }
   EXPECT_EQ(folder.entries(), std::vector<std::string>{"small.json"});
@@ -92,19 +98,25 @@ TEST(WrongUse, AMissingConfigNamesTheNearestPreset) {
   expect_contains(ended.errors, "did you mean \"barchans\"?");
 }
 
-TEST(WrongUse, AMissingFolderForTheStatisticsIsToldBeforeTheRun) {
+TEST(WrongUse, AFolderThatIsMissingOrCannotBeMadeIsToldBeforeTheWork) {
   const ScratchFolder folder;
   folder.write("small.json", small_config(1000000000));
-  const Ended ended = run_erg(folder, {"run", "small.json", "--stats", "nowhere/stats.json"});
-  EXPECT_EQ(ended.exit_code, 2);
-  expect_contains(ended.errors, "nowhere");
+  const std::vector<std::vector<std::string>> ways{{"run", "small.json", "--stats", "nowhere/stats.json"},
+                                                   {"render", "small.json", "--out", "nowhere/picture.png"},
+                                                   {"validate", "--out", "nowhere/validation.md"},
+                                                   {"gallery", "--out", "small.json/nowhere"}};
+  for (const std::vector<std::string>& arguments : ways) {
+    const Ended ended = run_erg(folder, arguments);
+    EXPECT_EQ(ended.exit_code, 2) << arguments.front();
+    expect_contains(ended.errors, "nowhere");
+  }
 }
 
 TEST(WrongUse, DamagedAndForeignCheckpointsAreRefused) {
   const ScratchFolder folder;
   folder.write("small.json", small_config(5));
   ASSERT_EQ(run_erg(folder, {"run", "small.json", "--out", ".", "--format", "checkpoint", "--quiet"}).exit_code, 0);
-  const std::string good = read_text(folder.file("small-000005.checkpoint"));
+  const std::string good = read_bytes(folder.file("small-000005.checkpoint"));
   ASSERT_GT(good.size(), 100u);
 
   std::string damaged = good;

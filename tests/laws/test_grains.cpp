@@ -8,6 +8,7 @@
 #include "analysis/spectrum.h"
 #include "grain_world.h"
 #include "sim/scene.h"
+#include "sim/simulation.h"
 #include "wind/shadow.h"
 
 namespace erg::test {
@@ -260,6 +261,19 @@ TEST(Grains, KeepingPathsChangesNothing) {
   plain.steps(3, {250, 12});
   watched.steps(3, {250, 12});
   EXPECT_EQ(state_hash(plain.terrain), state_hash(watched.terrain));
+}
+
+TEST(Grains, PathsAreKeptUnderAnotherConfigToo) {
+  Config config("grains");
+  start_as_model(config);
+  config.grid.set("nx", std::int64_t{32});
+  config.grid.set("ny", std::int64_t{32});
+  Simulation run(config);
+  run.keep_paths(10);
+  config.parameters.set("splash", 0.5);
+  run.change(config);
+  run.step();
+  EXPECT_GE(run.model().paths().size(), 10u);
 }
 
 struct Case {

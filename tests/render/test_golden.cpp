@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "io/image.h"
+#include "io/png.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 namespace erg::test {
 
@@ -16,47 +17,31 @@ std::string read_text(const fs::path& path) {
 
 namespace {
 
-SourceFile read_source(const fs::path& path) {
-  SourceFile file;
-  std::istringstream text(read_text(path));
+std::vector<std::string> included_by(const fs::path& path) {
+  std::vector<std::string> included;
+  std::ifstream text(path);
   for (std::string line; std::getline(text, line);) {
-    constexpr std::string_view include = "#include ";
-    if (line.rfind(include, 0) == 0) {
-      const char closing = line[include.size()] == '<' ? '>' : '"';
-      const std::string name = line.substr(include.size(), line.find(closing, include.size() + 1) + 1 - include.size());
-      if (closing == '>') {
-        file.foreign.push_back(name);
-      } else {
-        file.own.push_back(name.substr(1, name.size() - 2));
-      }
-    }
-    file.lines.push_back(std::move(line));
+    constexpr std::string_view include = "#include \"";
+    if (!line.starts_with(include)) continue;
+    included.push_back(line.substr(include.size(), line.find('"', include.size()) - include.size()));
   }
-  return file;
+  return included;
 }
 
 }  // namespace
 
-const std::map<std::string, SourceFile>& source_tree() {
-  static const std::map<std::string, SourceFile> tree = [] {
-    std::map<std::string, SourceFile> all;
+const std::map<std::string, std::vector<std::string>>& source_tree() {
+  static const std::map<std::string, std::vector<std::string>> tree = [] {
+    std::map<std::string, std::vector<std::string>> all;
     const fs::path src = source_root() / "src";
     for (const auto& entry : fs::recursive_directory_iterator(src)) {
       const fs::path kind = entry.path().extension();
       if (kind != ".h" && kind != ".cpp" && kind != ".inl" && kind != ".cu") continue;
-      all[entry.path().lexically_relative(src).generic_string()] = read_source(entry.path());
+      all[entry.path().lexically_relative(src).generic_string()] = included_by(entry.path());
     }
     return all;
   }();
   return tree;
-}
-
-std::vector<std::string> headers() {
-  std::vector<std::string> found;
-  for (const auto& [path, file] : source_tree()) {
-    if (path.ends_with(".h")) found.push_back(path);
-  }
-  return found;
 }
 
 std::string layer_of(const std::string& path) { return path.substr(0, path.find('/')); }

@@ -9,18 +9,8 @@
 
 namespace erg::test {
 
-/// A file of src/ and what it includes.
-struct SourceFile {
-  std::vector<std::string> lines;
-  std::vector<std::string> own;      ///< files of src/: "core/grid.h"
-  std::vector<std::string> foreign;  ///< as they stand: "<vector>"
-};
-
-/// Every source file by its path below src/, for example "core/grid.h".
-const std::map<std::string, SourceFile>& source_tree();
-
-/// The headers among them.
-std::vector<std::string> headers();
+/// Every source file by its path below src/, for example "core/grid.h", with the files of src/ that it includes.
+const std::map<std::string, std::vector<std::string>>& source_tree();
 
 /// The layer that a path belongs to: its first folder.
 std::string layer_of(const std::string& path);

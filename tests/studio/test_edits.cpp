@@ -90,11 +90,15 @@ TEST_F(EditsTest, ResetGoesBackToTheStartAndCanBeUndone) {
   const std::uint64_t start = hash();
   runner.run(12);
   const std::uint64_t later = hash();
+  const double worked = still()->seconds_worked;
+  EXPECT_GT(worked, 0);
   runner.reset();
   EXPECT_EQ(still()->step(), 0);
+  EXPECT_EQ(still()->seconds_worked, 0);
   EXPECT_EQ(hash(), start);
   runner.undo();
   EXPECT_EQ(still()->step(), 12);
+  EXPECT_EQ(still()->seconds_worked, worked) << "it took as long as before";
   EXPECT_EQ(hash(), later);
 }
 
@@ -220,12 +224,14 @@ TEST_F(EditsTest, PlantsArePaintedWithinTheirRange) {
   config.grid.set("nx", std::int64_t{48});
   config.grid.set("ny", std::int64_t{40});
   runner.create({config});
-  const FieldInfo info = still()->runs[0].terrain->fields().front().info;
+  const FieldInfo info = find_field(still()->runs[0].terrain->fields(), "grass")->info;
   const std::uint64_t before = hash();
   runner.paint(
       0, {.material = BrushMaterial::field, .x = 10.5, .y = 10.5, .radius = 4, .field = info.key, .strength = 1e9}, 1);
   const auto painted = still();
-  EXPECT_EQ(painted->runs[0].terrain->fields().front().values(10, 10), static_cast<float>(info.maximum));
+  const std::vector<Field>& fields = painted->runs[0].terrain->fields();
+  EXPECT_EQ(find_field(fields, "grass")->values(10, 10), static_cast<float>(info.maximum));
+  EXPECT_EQ(find_field(fields, "vegetation")->values(10, 10), 1) << "their sum shows it before the next step";
   EXPECT_EQ(painted->runs[0].mass_drift(), 0);
   EXPECT_NE(hash(), before);
   runner.run(3);

@@ -32,8 +32,8 @@ struct KeptWorkTest : testing::Test {
     studio.runner().paint(run, {.x = 20.5, .y = 20.5, .radius = 3, .amount = 9}, stroke);
     settle();
   }
-  void keep_land() {
-    studio.start_export(folder / "kept.checkpoint", "checkpoint");
+  void export_as(const std::string& format) {
+    studio.start_export(folder / ("kept." + format), format);
     while (studio.running_export()->state() == Export::State::writing) studio.tick();
     studio.tick();
   }
@@ -71,7 +71,7 @@ TEST_F(KeptWorkTest, APaintedLandIsWorkUntilACheckpointHasIt) {
   studio.runner().redo();
   settle();
   EXPECT_NE(unsaved(), "");
-  keep_land();
+  export_as("checkpoint");
   EXPECT_EQ(unsaved(), "");
   paint(0, 2);
   EXPECT_NE(unsaved(), "") << "another stroke since";
@@ -83,8 +83,20 @@ TEST_F(KeptWorkTest, APaintedLandIsWorkUntilACheckpointHasIt) {
 TEST_F(KeptWorkTest, ACheckpointKeepsTheSetupToo) {
   studio.setup().set("parameters", "p_sand", 0.5);
   settle();
-  keep_land();
+  export_as("checkpoint");
   EXPECT_EQ(unsaved(), "");
+}
+
+TEST_F(KeptWorkTest, AnExportedConfigKeepsTheSetupAndAPictureNothing) {
+  studio.setup().set("parameters", "p_sand", 0.5);
+  settle();
+  export_as("png");
+  EXPECT_NE(unsaved(), "");
+  export_as("json");
+  EXPECT_EQ(unsaved(), "");
+  paint(0, 1);
+  export_as("json");
+  EXPECT_NE(unsaved(), "") << "a config has no strokes";
 }
 
 TEST_F(KeptWorkTest, OfComparedRunsTheOneThatWasEditedOrPaintedIsNamed) {

@@ -73,6 +73,17 @@ Terrain plane() {
   return terrain;
 }
 
+TEST(Clock, TellsWhatTimeItIsInTheModelsWorld) {
+  EXPECT_EQ(clock_text(Config("werner"), 10), "step 10");
+  EXPECT_EQ(clock_text(Config("grains"), 10), "step 10") << "its time step is that of a flight";
+  Config plants("nield_baas");
+  plants.parameters.set("steps_per_year", std::int64_t{80});
+  EXPECT_EQ(clock_text(plants, 40), "step 40, year 0.5");
+  Config snow("snow_sintering");
+  snow.parameters.set("time_step", 60.0);
+  EXPECT_EQ(clock_text(snow, 90), "step 90, 1.5 h");
+}
+
 TEST(Probe, ReadsACellOfAPlane) {
   const CellReading reading = read_cell(plane(), {4, 5});
   EXPECT_EQ(reading.bedrock, 14);

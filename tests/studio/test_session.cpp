@@ -9,8 +9,10 @@
 
 #include "../unit/temporary_folder.h"
 #include "small_config.h"
+#include "snapshot_of.h"
 #include "studio/runner.h"
 #include "studio/session.h"
+#include "studio/studio.h"
 
 namespace erg {
 namespace {
@@ -18,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using test::small_config;
+using test::snapshot_of;
 
 Config titled(int seed) {
   Config config = small_config("serial", seed);
@@ -29,21 +32,6 @@ std::uint64_t straight_hash(const Config& config, std::int64_t steps) {
   Simulation simulation(config);
   for (std::int64_t step = 0; step < steps; ++step) simulation.step();
   return state_hash(simulation.terrain());
-}
-
-/// A snapshot without a worker.
-Snapshot snapshot_of(Simulation& simulation, std::uint64_t number) {
-  RunSnapshot run;
-  run.config = std::make_shared<const Config>(simulation.config());
-  run.terrain = std::make_shared<const Terrain>(simulation.terrain());
-  run.terrain_version = number;
-  run.series = std::make_shared<const Series>();
-  run.step = simulation.step_count();
-  run.totals = simulation.totals();
-  Snapshot snapshot;
-  snapshot.number = number;
-  snapshot.runs.push_back(std::move(run));
-  return snapshot;
 }
 
 /// What a program does that saves after every step until it is killed.
@@ -145,6 +133,32 @@ TEST(Session, ADamagedCheckpointIsRefused) {
   bytes[bytes.size() / 2] ^= 1;
   write_bytes(checkpoint, bytes);
   EXPECT_THROW(Session::recover(lost[0]), InputError);
+}
+
+TEST(Session, OneWhoseRunsCannotBeMadeStaysOnOffer) {
+  const TemporaryFolder folder;
+  {
+    Session session(folder.path());
+    Simulation first(titled(1));
+    Simulation second(titled(2));
+    second.step();
+    Snapshot torn = snapshot_of(first, 1);
+    torn.runs.push_back(snapshot_of(second, 1).runs.front());
+    session.save(torn);
+    session.keep();
+  }
+  Studio studio({{}, folder.path(), {}});
+  ASSERT_EQ(studio.lost_sessions().size(), 1u);
+  const fs::path lost = studio.lost_sessions().front().folder;
+  EXPECT_TRUE(studio.recover(lost)) << "it can be read";
+  studio.runner().wait_until_still();
+  studio.tick();
+  EXPECT_EQ(studio.now().activity, Activity::empty) << "runs of one comparison stand at one step";
+  EXPECT_GE(studio.log().count(LogLevel::error), 1u);
+  EXPECT_EQ(studio.setup().config(), Config());
+  EXPECT_EQ(studio.lost_sessions().size(), 1u);
+  studio.rescue();
+  EXPECT_TRUE(fs::exists(lost / "session.json"));
 }
 
 }  // namespace

@@ -98,6 +98,25 @@ TEST_F(StudioTest, AFileWhoseTerrainCannotBeMadeChangesNothing) {
   EXPECT_GE(studio.log().count(LogLevel::error), 1u);
 }
 
+TEST_F(StudioTest, WhatIsOpenedToPlayRunsOnceItIsMadeAndElseNothingDoes) {
+  write_bytes(folder / "no picture.png", "this is no picture");
+  Config bad = small_config();
+  bad.scene.set("kind", std::string("image"));
+  bad.scene.set("image", (folder / "no picture.png").string());
+  const auto opened = [this](const fs::path& path) {
+    EXPECT_TRUE(studio.open_and_play(path));
+    studio.runner().wait_for_commands();
+    studio.tick();
+    studio.runner().wait_for_commands();
+    studio.tick();
+    return studio.now().activity;
+  };
+  ASSERT_TRUE(studio.open(saved("small.json", small_config())));
+  settle();
+  EXPECT_EQ(opened(saved("bad.json", bad)), Activity::paused) << "what was there is not set going";
+  EXPECT_EQ(opened(folder / "small.json"), Activity::running);
+}
+
 TEST_F(StudioTest, WhatNeedsANewTerrainWaitsForCreateAndTheRestDoesNot) {
   ASSERT_TRUE(studio.open(saved("small.json", small_config())));
   settle();
@@ -171,7 +190,7 @@ TEST(StudioSession, ComesBackAfterTheDisplayIsLost) {
   }
   Studio studio(folders);
   ASSERT_EQ(studio.lost_sessions().size(), 1u) << "it was not saved anew: still on offer";
-  studio.discard_lost(0);
+  studio.discard_lost(studio.lost_sessions().at(0).folder);
   EXPECT_TRUE(studio.lost_sessions().empty());
 }
 

@@ -16,6 +16,7 @@
 #include "io/config_file.h"
 #include "sim/memory.h"
 #include "small_config.h"
+#include "snapshot_of.h"
 #include "studio/studio.h"
 
 namespace erg::test::trust {
@@ -34,17 +35,7 @@ struct Writer {
 Snapshot snapshot_of(int version) {
   Simulation simulation(small_config("serial", version));
   simulation.step();
-  RunSnapshot run;
-  run.config = std::make_shared<const Config>(simulation.config());
-  run.terrain = std::make_shared<const Terrain>(simulation.terrain());
-  run.terrain_version = static_cast<std::uint64_t>(version);
-  run.series = std::make_shared<const Series>();
-  run.step = simulation.step_count();
-  run.executor = "serial";
-  Snapshot snapshot;
-  snapshot.number = static_cast<std::uint64_t>(version);
-  snapshot.runs.push_back(std::move(run));
-  return snapshot;
+  return test::snapshot_of(simulation, static_cast<std::uint64_t>(version));
 }
 
 Settings settings_of(int version) {

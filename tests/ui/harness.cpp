@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "io/image.h"
+#include "io/png.h"
 #include "picture_of_gui.h"
 
 namespace erg::test {

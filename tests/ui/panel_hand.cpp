@@ -60,11 +60,9 @@ void PanelHand::settle() {
 }
 
 void PanelHand::click_land(CellPlace cell) {
-  land = {cell, true, true, false};
+  land = {cell, true, true};
   hand.frames();
-  land = {cell, false, false, true};
-  hand.frames();
-  land = {cell, false, false, false};
+  land = {cell, false, false};
   hand.frames();
 }
 

@@ -17,7 +17,8 @@ TEST(GalleryPanel, OneClickAndDunesGrow) {
   PanelHand panel(make_gallery_panel(),
                   [](const TemporaryFolder& folder) { write_preset(folder / "presets/star.json", "Star dunes"); });
   panel.hand.click("GALLERY/star");
-  panel.settle();
+  panel.settle();  // it is made
+  panel.settle();  // and set going
   EXPECT_EQ(panel.studio.setup().config().title, "Star dunes");
   ASSERT_TRUE(panel.studio.now().has_runs());
   EXPECT_EQ(panel.studio.now().activity, Activity::running);
@@ -90,10 +91,17 @@ TEST(SavePanel, AddsTheEndingAndAsksBeforeAFileIsReplaced) {
 
 TEST(SavePanel, CancelWritesNothing) {
   PanelHand panel(make_save_panel());
+  const auto is_config = [](const auto& entry) { return entry.path().extension() == ".json"; };
+  const auto configs = [&] {
+    const std::filesystem::recursive_directory_iterator all(panel.folder.path());
+    return std::count_if(begin(all), end(all), is_config);
+  };
   panel.hand.click("SAVE AS/CANCEL");
   EXPECT_EQ(panel.closed, std::vector<std::string>{"SAVE AS"});
+  EXPECT_EQ(configs(), 0);
   panel.hand.enter("SAVE AS/name", "no/such/folder/x");
-  EXPECT_TRUE(std::filesystem::is_empty(panel.folder / "presets"));
+  EXPECT_EQ(configs(), 0);
+  EXPECT_EQ(panel.closed.size(), 1u) << "it stays, and says that there is no such folder";
 }
 
 TEST(ExportPanel, WritesEveryFormat) {

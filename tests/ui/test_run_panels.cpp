@@ -92,6 +92,35 @@ TEST(PaintPanel, RockIsPutAndSandTaken) {
   EXPECT_LT(mobile(panel), sand);
 }
 
+TEST(PaintPanel, PlantsArePutAndTakenWhereTheModelHasThem) {
+  PanelHand panel(make_paint_panel());
+  panel.create();
+  EXPECT_FALSE(panel.hand.has("PAINT/GRASS"));
+  panel.studio.setup().choose_model("nield_baas");
+  panel.studio.create();
+  panel.settle();
+  const auto grass = [&] {
+    return find_field(panel.studio.now().runs.front().terrain->fields(), "grass")->values(10, 10);
+  };
+  ASSERT_EQ(grass(), 0);
+  panel.hand.click("TAKE THE BRUSH");
+  panel.hand.click("PAINT/GRASS");
+  panel.hand.enter("PAINT/strength", "0.5");
+  panel.click_land({10, 10});
+  panel.settle();
+  EXPECT_EQ(grass(), 0.5f);
+  panel.hand.click("PAINT/TAKE");
+  panel.click_land({10, 10});
+  panel.settle();
+  EXPECT_EQ(grass(), 0);
+  panel.studio.setup().choose_model("momiji");
+  panel.studio.create();
+  panel.settle();
+  panel.click_land({10, 10});
+  panel.settle();
+  EXPECT_EQ(panel.studio.log().count(LogLevel::error), 0u) << "the brush has sand again";
+}
+
 TEST(ComparePanel, ACopyIsAddedChangedCreatedAndRemoved) {
   PanelHand panel(make_compare_panel());
   panel.create();

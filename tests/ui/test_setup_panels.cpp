@@ -85,6 +85,18 @@ TEST(SetupPanel, ASceneOfAPictureAsksForItAndTakesItFromTheBrowser) {
   EXPECT_EQ(panel.studio.setup().config().scene.text("image"), panel.folder / "hills.png");
 }
 
+TEST(SetupPanel, AMapOfPlantsIsChosenLikeAPictureOfTheLand) {
+  PanelHand panel(make_setup_panel(), [](const TemporaryFolder& folder) { write_bytes(folder / "dunes.png", "x"); });
+  panel.studio.setup().choose_model("nield_baas");
+  panel.studio.setup().set("parameters", "vegetation", std::string("image"));
+  panel.hand.frames(2);
+  panel.hand.click("parameters/BROWSE");
+  panel.hand.click("files/dunes.png");
+  panel.hand.click("CHOOSE A PICTURE/CHOOSE");
+  EXPECT_EQ(panel.studio.setup().config().parameters.text("vegetation_image"), panel.folder / "dunes.png");
+  EXPECT_EQ(panel.studio.setup().config().scene.text("image"), "");
+}
+
 TEST(WindPanel, AConstantWindIsTurnedAndStrengthened) {
   PanelHand panel(make_wind_panel());
   panel.hand.drag("WIND/dial", {0.1f, 0.5f}, {0.5f, 0.05f});

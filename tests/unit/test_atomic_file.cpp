@@ -1,55 +1,42 @@
 #include "io/atomic_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "core/errors.h"
+#include "temporary_folder.h"
 
 namespace erg {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of the test's own, gone at its end.
 class AtomicFile : public ::testing::Test {
  protected:
-  AtomicFile() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / (std::string("erg_atomic_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "old.txt") << "old";
-  }
-  ~AtomicFile() override { fs::remove_all(folder_); }
+  AtomicFile() { write_bytes(folder_ / "old.txt", "old"); }
 
-  static std::string content(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
-  auto files() const { return std::distance(fs::directory_iterator(folder_), {}); }
+  auto files() const { return std::distance(fs::directory_iterator(folder_.path()), {}); }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(AtomicFile, WritesNewFilesAndReplacesOldOnes) {
   write_file_atomically(folder_ / "new.txt", "one");
-  EXPECT_EQ(content(folder_ / "new.txt"), "one");
+  EXPECT_EQ(read_bytes(folder_ / "new.txt"), "one");
   const std::string large(3'000'000, 'x');
   write_file_atomically(folder_ / "old.txt", large);
-  EXPECT_EQ(content(folder_ / "old.txt"), large);
+  EXPECT_EQ(read_bytes(folder_ / "old.txt"), large);
   write_file_atomically(folder_ / "old.txt", "");
-  EXPECT_EQ(content(folder_ / "old.txt"), "");
+  EXPECT_EQ(read_bytes(folder_ / "old.txt"), "");
   EXPECT_EQ(files(), 2) << "a temporary file was left";
 }
 
 TEST_F(AtomicFile, SaysWhyItCannot) {
-  const fs::path nowhere = folder_ / "none" / "a.txt";
+  const fs::path nowhere = folder_.path() / "none" / "a.txt";
   try {
     write_file_atomically(nowhere, "x");
     ADD_FAILURE() << "wrote into a folder that does not exist";
@@ -58,17 +45,41 @@ TEST_F(AtomicFile, SaysWhyItCannot) {
                                 ": cannot write this file (No such file or directory); check that its folder exists, "
                                 "may be written and has room");
   }
-  EXPECT_THROW(write_file_atomically(folder_, "x"), InputError);
+  EXPECT_THROW(write_file_atomically(folder_.path(), "x"), InputError);
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(AtomicFile, AnUnfinishedFileOfAKilledWriterIsNoObstacle) {
-  write_file_atomically(folder_ / "old.txt", "one");
-  for (int attempt = 0; attempt < 3; ++attempt) {
-    std::ofstream(folder_ / ("old.txt.part" + std::to_string(::getpid()) + "-" + std::to_string(attempt))) << "half";
-  }
+TEST_F(AtomicFile, AnUnfinishedFileOfAKilledWriterIsWrittenOver) {
+  write_bytes(unfinished_name(folder_ / "old.txt"), std::string(100, 'x'));
   write_file_atomically(folder_ / "old.txt", "two");
-  EXPECT_EQ(content(folder_ / "old.txt"), "two");
+  EXPECT_EQ(read_bytes(folder_ / "old.txt"), "two");
+  EXPECT_EQ(files(), 1) << "nothing is left of it";
+}
+
+TEST_F(AtomicFile, WritersOfOneFileDoNotMeet) {
+  const fs::path path = folder_ / "old.txt";
+  write_file_atomically(path, [&](const ByteSink& outer) {
+    outer("outer, ");
+    write_file_atomically(path, "inner");
+    EXPECT_EQ(read_bytes(path), "inner");
+    outer("whole");
+  });
+  EXPECT_EQ(read_bytes(path), "outer, whole");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFile, ManyThreadsLeaveOneWholeFile) {
+  const fs::path path = folder_ / "old.txt";
+  std::vector<std::thread> writers;
+  for (char letter = 'a'; letter < 'e'; ++letter) {
+    writers.emplace_back([&path, letter] {
+      for (int round = 0; round < 20; ++round) write_file_atomically(path, std::string(5000, letter));
+    });
+  }
+  for (std::thread& writer : writers) writer.join();
+  const std::string text = read_bytes(path);
+  EXPECT_EQ(text, std::string(5000, text.front()));
+  EXPECT_EQ(files(), 1);
 }
 
 TEST_F(AtomicFile, KeepsPermissions) {
@@ -82,7 +93,7 @@ TEST_F(AtomicFile, WritesThroughLinks) {
   fs::create_symlink(folder_ / "old.txt", folder_ / "link.txt");
   write_file_atomically(folder_ / "link.txt", "new");
   EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
-  EXPECT_EQ(content(folder_ / "old.txt"), "new");
+  EXPECT_EQ(read_bytes(folder_ / "old.txt"), "new");
 }
 
 TEST_F(AtomicFile, DevicesAreWrittenToAndNotReplaced) {

@@ -8,6 +8,8 @@
 
 #include "core/errors.h"
 #include "core/random.h"
+#include "limits.h"
+#include "message.h"
 #include "temporary_folder.h"
 
 namespace erg {
@@ -56,12 +58,7 @@ std::string with_checksum(std::string bytes) {
 
 std::string refusal(const TemporaryFolder& folder, const std::string& bytes) {
   write_bytes(folder / "b.erg", bytes);
-  try {
-    read_checkpoint(folder / "b.erg");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return message([&] { read_checkpoint(folder / "b.erg"); });
 }
 
 TEST(Checkpoint, ComesBackWhole) {
@@ -93,7 +90,7 @@ TEST(Checkpoint, CutFilesAreRefused) {
   const TemporaryFolder folder;
   const std::string bytes = saved_bytes(folder);
   for (std::size_t length = 0; length < bytes.size(); length += 3) {
-    EXPECT_NE(refusal(folder, bytes.substr(0, length)), "") << length;
+    EXPECT_NE(refusal(folder, bytes.substr(0, length)), "no error") << length;
   }
 }
 
@@ -103,7 +100,7 @@ TEST(Checkpoint, AChangedByteIsRefused) {
   for (std::size_t place = 0; place < bytes.size(); place += 3) {
     std::string changed = bytes;
     changed[place] = static_cast<char>(changed[place] ^ 0x10);
-    EXPECT_NE(refusal(folder, changed), "") << place;
+    EXPECT_NE(refusal(folder, changed), "no error") << place;
   }
 }
 
@@ -146,6 +143,19 @@ TEST(Checkpoint, SandThatDoesNotAddUpIsRefused) {
   write_checkpoint(folder / "c.erg", small_config(), state);
   EXPECT_THROW(read_checkpoint(folder / "c.erg"), InputError);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these take memory of their own
+
+TEST(Checkpoint, OneWhoseRunWouldNotFitIsRefusedBeforeItsLayersAreRead) {
+  const TemporaryFolder folder;
+  saved_bytes(folder);
+  const test::LimitRestored restored(RLIMIT_AS);
+  test::limit_memory(rlim_t{64} << 20);
+  const std::string said = message([&] { read_checkpoint(folder / "a.erg"); });
+  EXPECT_TRUE(said.starts_with("grid: 9 x 7 cells need ")) << said;
+}
+
+#endif
 
 TEST(Checkpoint, AnUnwritablePlaceIsAnInputError) {
   EXPECT_THROW(write_checkpoint("/no/such/folder/a.erg", small_config(), some_state()), InputError);

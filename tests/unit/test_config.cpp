@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "message.h"
 #include "models/model.h"
 
 namespace erg {
@@ -11,13 +12,11 @@ namespace {
 
 std::string set_message(const std::string& assignment, Config config = Config()) {
   const Config before = config;
-  try {
-    set_from_text(config, assignment);
-  } catch (const InputError& error) {
+  const std::string said = message([&] { set_from_text(config, assignment); });
+  if (said != "no error") {
     EXPECT_EQ(config, before) << "a refused assignment changed the config";
-    return error.what();
   }
-  return "no error";
+  return said;
 }
 
 TEST(Config, EveryModelHasAConfigOfDefaults) {

@@ -3,52 +3,28 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <sstream>
 
+#include "message.h"
 #include "models/model.h"
+#include "temporary_folder.h"
 
 namespace erg {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of the test's own, gone at its end.
 class ConfigFile : public ::testing::Test {
  protected:
-  ConfigFile() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / (std::string("erg_config_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~ConfigFile() override { fs::remove_all(folder_); }
-
   fs::path put(const std::string& name, const std::string& text) const {
     fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
+    write_bytes(folder_ / name, text);
     return folder_ / name;
   }
-  static std::string content(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
-
-template <typename Call>
-std::string message(Call call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::string mistakes(const std::string& text) {
   return message([&] { parse_config(text, "a.json"); });
@@ -329,15 +305,15 @@ TEST_F(ConfigFile, PicturesAreFoundFromTheConfigsFolder) {
     "scene": {"kind": "image", "image": "../pictures/ground.png"}})");
   const Config config = read_config(path);
   EXPECT_EQ(config.scene.text("image"), (folder_ / "pictures/ground.png").string());
-  const fs::path beside = folder_ / "pictures" / "b.json";
+  const fs::path beside = folder_ / "pictures/b.json";
   write_config(beside, config);
-  EXPECT_NE(content(beside).find("\"image\": \"ground.png\""), std::string::npos) << content(beside);
+  EXPECT_NE(read_bytes(beside).find("\"image\": \"ground.png\""), std::string::npos) << read_bytes(beside);
   EXPECT_EQ(read_config(beside), config);
 }
 
 TEST_F(ConfigFile, ARelativePictureStaysRelativeWhereverTheConfigGoes) {
   const fs::path before = fs::current_path();
-  fs::current_path(folder_);
+  fs::current_path(folder_.path());
   put("pictures/ground.png", "");
   put("configs/a.json",
       R"({"erg": 1, "model": "momiji", "scene": {"kind": "image", "image": "../pictures/ground.png"}})");
@@ -345,7 +321,7 @@ TEST_F(ConfigFile, ARelativePictureStaysRelativeWhereverTheConfigGoes) {
   const Config config = read_config("configs/a.json");
   write_config("else/where/b.json", config);
   EXPECT_EQ(config.scene.text("image"), "pictures/ground.png");
-  EXPECT_NE(content("else/where/b.json").find("\"../../pictures/ground.png\""), std::string::npos);
+  EXPECT_NE(read_bytes("else/where/b.json").find("\"../../pictures/ground.png\""), std::string::npos);
   EXPECT_EQ(read_config("else/where/b.json"), config);
   fs::current_path(before);
 }
@@ -355,8 +331,8 @@ TEST_F(ConfigFile, FilesThatCannotBeReadAreExplained) {
   const fs::path wrong = folder_ / "barchan.json";
   EXPECT_EQ(message([&] { read_config(wrong); }),
             wrong.string() + ": there is no such file; did you mean \"" + (folder_ / "barchans.json").string() + "\"?");
-  EXPECT_EQ(message([&] { read_config(folder_); }),
-            folder_.string() + ": this is a folder; give the name of a config file");
+  EXPECT_EQ(message([&] { read_config(folder_.path()); }),
+            folder_.path().string() + ": this is a folder; give the name of a config file");
   EXPECT_EQ(message([&] { read_config("/nowhere/at/all"); }),
             "/nowhere/at/all: there is no such file; check its name and folder");
 }
@@ -364,7 +340,7 @@ TEST_F(ConfigFile, FilesThatCannotBeReadAreExplained) {
 TEST_F(ConfigFile, ReplacesTheFileThatStoodThere) {
   const fs::path path = put("a.json", "old");
   write_config(path, Config());
-  EXPECT_EQ(content(path), config_text(Config()));
+  EXPECT_EQ(read_bytes(path), config_text(Config()));
 }
 
 TEST_F(ConfigFile, TheSchemaFollowsFromTheDeclarations) {

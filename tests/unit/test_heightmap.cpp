@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/errors.h"
-#include "io/image.h"
+#include "io/png.h"
 #include "temporary_folder.h"
 
 namespace erg {

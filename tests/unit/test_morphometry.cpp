@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "core/units.h"
-
 namespace erg {
 namespace {
 
@@ -22,25 +20,6 @@ TEST(Morphometry, CountsTheMobileLayer) {
   EXPECT_DOUBLE_EQ(m.bare_fraction, 0.25);
   EXPECT_DOUBLE_EQ(m.lowest, 1);
   EXPECT_DOUBLE_EQ(m.highest, 50);
-}
-
-TEST(Morphometry, APlaneHasItsSlopeEverywhere) {
-  Terrain terrain({12, 9}, 2.0, 0.5, Boundary::open);
-  for (int y = 0; y < 9; ++y) {
-    for (int x = 0; x < 12; ++x) terrain.edit_bedrock()(x, y) = 4 * x;  // 2 m rise over 2 m: 45 degrees
-  }
-  const Morphometry m = measure(terrain);
-  EXPECT_NEAR(m.steepest_slope, 45, 1e-9);
-  // Interior columns stand at 45 degrees; at the two open edges the difference is one-sided, half as large.
-  EXPECT_NEAR(m.mean_slope, (10 * 45 + 2 * degrees(std::atan(0.5))) / 12, 1e-9);
-}
-
-TEST(Morphometry, SeesTheStepOverTheEdgeOfATorusOnly) {
-  for (const Boundary boundary : {Boundary::torus, Boundary::open}) {
-    Terrain terrain({10, 1}, 1.0, 1.0, boundary);
-    for (int x = 0; x < 10; ++x) terrain.edit_mobile()(x, 0) = x;
-    EXPECT_NEAR(std::tan(radians(measure(terrain).steepest_slope)), boundary == Boundary::torus ? 9 : 1, 1e-9);
-  }
 }
 
 TEST(Morphometry, HighGroundCostsNoPrecision) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "message.h"
+
 namespace erg {
 namespace {
 
@@ -17,16 +19,6 @@ Parameter forced() { return boolean_parameter("forced", "Forced", false, "Poll o
 std::string problem(const Parameter& parameter, const ParameterValue& value) {
   const auto mistake = check_value(parameter, value, "a.json:3");
   return mistake ? mistake->text() : "fine";
-}
-
-template <typename Call>
-std::string message(Call call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(Parameters, RangesAreClosed) {

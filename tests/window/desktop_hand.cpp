@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "io/config_file.h"
+
 namespace erg::test {
 namespace {
 
@@ -260,6 +262,8 @@ double DesktopHand::memory() const {
   return kibi / 1024;
 }
 
+void DesktopHand::terminate() const { ::kill(process_, SIGTERM); }
+
 void DesktopHand::quit() {
   // Without a window manager keys go to the window under the pointer.
   command("xdotool mouseup 1 mouseup 2 mouseup 3 mousemove 500 300");
@@ -280,5 +284,15 @@ int DesktopHand::wait() {
 }
 
 std::string DesktopHand::errors() const { return read_all(errors_); }
+
+std::string write_small_land(const std::filesystem::path& folder) {
+  Config config("momiji");
+  config.title = "small";
+  config.grid.set("nx", std::int64_t{64});
+  config.grid.set("ny", std::int64_t{48});
+  config.run.set("threads", std::int64_t{2});
+  write_config(folder / "small.json", config);
+  return (folder / "small.json").string();
+}
 
 }  // namespace erg::test

@@ -68,6 +68,8 @@ class DesktopHand {
   bool runs();
   /// MiB of memory that it holds now; 0 when it is gone.
   double memory() const;
+  /// Asks it to end, as a session manager does.
+  void terminate() const;
   /// Lets go of every button, closes dialogs and quits, as often as it takes.
   void quit();
 
@@ -101,5 +103,8 @@ class DesktopHand {
   pid_t process_ = -1;
   int ended_with_ = -1;  ///< when `runs` has seen its end
 };
+
+/// Writes the config of a land of few cells, "small.json", into a folder; its path.
+std::string write_small_land(const std::filesystem::path& folder);
 
 }  // namespace erg::test

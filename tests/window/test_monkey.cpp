@@ -11,7 +11,6 @@
 #include "../ui/monkey.h"
 #include "../unit/temporary_folder.h"
 #include "desktop_hand.h"
-#include "io/config_file.h"
 
 namespace erg::test {
 namespace {
@@ -35,19 +34,10 @@ class Patience {
   Clock::duration spent_{};
 };
 
-std::string small_land(const TemporaryFolder& folder) {
-  Config config("momiji");
-  config.grid.set("nx", std::int64_t{64});
-  config.grid.set("ny", std::int64_t{48});
-  config.run.set("threads", std::int64_t{2});
-  write_config(folder / "land.json", config);
-  return (folder / "land.json").string();
-}
-
 TEST(Monkey, AtTheWindowBreaksNothing) {
   const TemporaryFolder folder;
   const Display display;
-  const std::string land = small_land(folder);
+  const std::string land = write_small_land(folder.path());
   Patience patience;
   int deeds = 0;
   double most_memory = 0;

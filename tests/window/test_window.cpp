@@ -2,6 +2,7 @@
 // screen shows on the way is kept there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "../render/scene.h"
@@ -19,15 +20,9 @@ void keep_picture(const DesktopHand& hand, const std::string& name) {
   if (const char* const folder = std::getenv("ERG_PICTURES")) hand.picture(std::filesystem::path(folder) / name);
 }
 
-std::string small_land(const TemporaryFolder& folder) {
-  Config config("momiji");
-  config.title = "small";
-  config.grid.set("nx", std::int64_t{64});
-  config.grid.set("ny", std::int64_t{64});
-  config.run.set("threads", std::int64_t{1});
-  const std::filesystem::path path = folder / "small.json";
-  write_config(path, config);
-  return path.string();
+std::ptrdiff_t saved_sessions(const TemporaryFolder& folder) {
+  const std::filesystem::recursive_directory_iterator all(folder / "state");
+  return std::count_if(begin(all), end(all), [](const auto& file) { return file.path().filename() == "session.json"; });
 }
 
 /// Saves a picture of 320 x 200 pixels under the name proposed; its dialog stays open.
@@ -98,7 +93,7 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
 TEST(Window, DrawsTheLandAsTheOffscreenContextsDo) {
   const TemporaryFolder folder;
   const Display display;
-  const std::string config = small_land(folder);
+  const std::string config = write_small_land(folder.path());
   DesktopHand hand(display, folder.path(), {config});
   hand.wait_for("RUN/step");
   hand.enter("RUN/steps to run", "40");
@@ -123,10 +118,10 @@ TEST(Window, DrawsTheLandAsTheOffscreenContextsDo) {
   }
 }
 
-TEST(Window, ALostDisplayEndsTheProgramWithTheLandSaved) {
+TEST(Window, ALostDisplayAndASignalEndTheProgramWithTheLandSaved) {
   const TemporaryFolder folder;
   Display display;
-  DesktopHand hand(display, folder.path(), {small_land(folder)});
+  DesktopHand hand(display, folder.path(), {write_small_land(folder.path())});
   hand.wait_for("RUN/step");
   hand.click("RUN/step");
   display.kill();
@@ -138,6 +133,12 @@ TEST(Window, ALostDisplayEndsTheProgramWithTheLandSaved) {
   DesktopHand again(next, folder.path(), {});
   again.wait_for("RECOVERY/session 1/RECOVER");
   keep_picture(again, "recovery.png");
+  again.click("RECOVERY/session 1/RECOVER");
+  again.wait_for("RUN/step");
+  again.terminate();
+  EXPECT_EQ(again.wait(), 0);
+  EXPECT_NE(again.errors().find("the next start offers"), std::string::npos) << again.errors();
+  EXPECT_EQ(saved_sessions(folder), 1) << "the new one instead of the old";
 }
 
 /// Asks for the copied text and is gone before the answer.
@@ -155,7 +156,7 @@ void ask_for_the_clipboard_and_go(const std::string& display_name) {
 TEST(Window, AProgramThatAsksForTheCopiedTextAndGoesDoesNoHarm) {
   const TemporaryFolder folder;
   const Display display;
-  DesktopHand hand(display, folder.path(), {small_land(folder)});
+  DesktopHand hand(display, folder.path(), {write_small_land(folder.path())});
   hand.wait_for("RUN/step");
   hand.edit("RUN/steps to run");
   hand.key("ctrl+c");
@@ -169,7 +170,7 @@ TEST(Window, AProgramThatAsksForTheCopiedTextAndGoesDoesNoHarm) {
 TEST(Window, AnOpenGLThatIsTooOldIsSaidAndNothingHappens) {
   const TemporaryFolder folder;
   const Display display;
-  DesktopHand hand(display, folder.path(), {small_land(folder)},
+  DesktopHand hand(display, folder.path(), {write_small_land(folder.path())},
                    {{"MESA_GL_VERSION_OVERRIDE", "2.1"}, {"MESA_GLSL_VERSION_OVERRIDE", "120"}});
   EXPECT_EQ(hand.wait(), 1);
   EXPECT_NE(hand.errors().find("OpenGL version 3.3 is needed"), std::string::npos) << hand.errors();

@@ -1,4 +1,4 @@
-#include "io/png_file.h"
+#include "io/png.h"
 
 #include <png.h>
 
@@ -9,10 +9,19 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "io/image.h"
+#include "io/atomic_file.h"
 
 namespace erg {
 namespace {
+
+/// Pixels as PNG has them: rows from the top, samples of 8 or 16 bits in the machine's byte order.
+struct PngPixels {
+  int width = 0;
+  int height = 0;
+  int bits = 8;      ///< 8 or 16 a sample
+  int channels = 3;  ///< 1 grey, 3 colour, 4 colour with opacity
+  const void* first = nullptr;
+};
 
 void append_bytes(png_structp png, png_bytep data, png_size_t count) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), count);
@@ -68,8 +77,7 @@ MetadataEntries collect_text(png_structp png, png_infop info) {
   return entries;
 }
 
-}  // namespace
-
+/// The whole file as bytes. Throws InputError with `path` as the place when the encoder refuses.
 std::string encode_png(const PngPixels& pixels, const MetadataEntries& entries, const std::filesystem::path& path) {
   std::string bytes;
   std::vector<png_text> chunks = text_chunks(entries);
@@ -89,6 +97,28 @@ std::string encode_png(const PngPixels& pixels, const MetadataEntries& entries, 
   png_destroy_write_struct(&png, &info);
   if (!written) throw InputError(path.string(), "the picture could not be encoded as PNG", "choose a smaller picture");
   return bytes;
+}
+
+bool is_opaque(const RgbaImage& image) {
+  for (std::size_t opacity = 3; opacity < image.pixels.size(); opacity += 4) {
+    if (image.pixels[opacity] != 255) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const RgbImage& image, const MetadataEntries& entries) {
+  write_file_atomically(path, encode_png({image.width, image.height, 8, 3, image.pixels.data()}, entries, path));
+}
+
+void write_png(const std::filesystem::path& path, const RgbaImage& image, const MetadataEntries& entries) {
+  if (is_opaque(image)) return write_png(path, over(image, {}), entries);
+  write_file_atomically(path, encode_png({image.width, image.height, 8, 4, image.pixels.data()}, entries, path));
+}
+
+void write_png(const std::filesystem::path& path, const GreyImage& image, const MetadataEntries& entries) {
+  write_file_atomically(path, encode_png({image.width, image.height, 16, 1, image.pixels.data()}, entries, path));
 }
 
 MetadataEntries read_png_metadata(const std::filesystem::path& path) {

@@ -1,4 +1,4 @@
-#include "app/model_bench.h"
+#include "app/grain_bench.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,16 +19,9 @@ constexpr int largest_bench_side = 256;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-ModelBenchRow measure_grains(const std::string& model, int side, const std::string& executor, int threads) {
-  Config config(model);
-  const std::string cells = std::to_string(side);
-  for (const std::string& assignment :
-       {"grid.nx=" + cells, "grid.ny=" + cells, std::string("grid.cell_size=0.01"), std::string("scene.sand=200"),
-        "run.executor=" + executor, "run.threads=" + std::to_string(threads), std::string("run.seed=1")}) {
-    set_from_text(config, assignment);
-  }
-  config.wind = Regime::constant(270, 10);
-  Simulation simulation(config);
+GrainBenchRow measure_grains(const std::string& model, int side, const std::string& executor, int threads) {
+  Simulation simulation(
+      bench_config(model, side, {"run.executor=" + executor, "run.threads=" + std::to_string(threads)}));
   const auto& grain_model = dynamic_cast<const GrainModel&>(simulation.model());
   for (int step = 0; step < first_steps; ++step) simulation.step();
   std::int64_t polls = 0;
@@ -53,11 +46,11 @@ ModelBenchRow measure_grains(const std::string& model, int side, const std::stri
 
 }  // namespace
 
-std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOptions& options) {
+std::vector<GrainBenchRow> bench_grains(const std::string& model, const BenchOptions& options) {
   const int threads = bench_threads(options);
   const int side = std::min(options.grid, largest_bench_side);
   std::fprintf(stderr, "bench: measuring %s, %d x %d cells\n", model.c_str(), side, side);
-  std::vector<ModelBenchRow> rows{measure_grains(model, side, "serial", 1), measure_grains(model, side, "cpu", 1)};
+  std::vector<GrainBenchRow> rows{measure_grains(model, side, "serial", 1), measure_grains(model, side, "cpu", 1)};
   if (threads > 1) rows.push_back(measure_grains(model, side, "cpu", threads));
   if (options.executor == "cpu") return rows;
   // The same grid, for the bits, and all that was asked for, which would keep the processor busy for minutes.
@@ -66,11 +59,11 @@ std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOpt
   return rows;
 }
 
-std::string grains_table(const std::vector<ModelBenchRow>& rows) {
+std::string grains_table(const std::vector<GrainBenchRow>& rows) {
   constexpr double million = 1e6;
   TextTable table;
   table.heading = {"model", "cells", "executor", "threads", "grains", "grain steps", "of a thread's own second"};
-  for (const ModelBenchRow& row : rows) {
+  for (const GrainBenchRow& row : rows) {
     table.rows.push_back({row.model, std::to_string(row.side) + " x " + std::to_string(row.side), row.executor,
                           std::to_string(row.threads), fixed_text(row.polls_per_second / million, 3),
                           fixed_text(row.grain_steps_per_second / million, 1),

@@ -1,4 +1,4 @@
-// How fast models are that move no slabs: whole steps, grains and their time steps.
+// How fast single grains fly: whole steps, grains and their time steps.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct BenchOptions;
 
 /// One measured executor. Rates count the processor time that the program used, on all threads together, as well as the
 /// time on the wall: the former also tells on a machine that is busy otherwise.
-struct ModelBenchRow {
+struct GrainBenchRow {
   std::string model;
   int side = 0;  ///< cells
   std::string executor;
@@ -23,9 +23,9 @@ struct ModelBenchRow {
 };
 
 /// Measures a model of single grains on one thread, on more, and on the executor that the options name.
-std::vector<ModelBenchRow> bench_grains(const std::string& model, const BenchOptions& options);
+std::vector<GrainBenchRow> bench_grains(const std::string& model, const BenchOptions& options);
 
 /// The rows as a table with its legend.
-std::string grains_table(const std::vector<ModelBenchRow>& rows);
+std::string grains_table(const std::vector<GrainBenchRow>& rows);
 
 }  // namespace erg
