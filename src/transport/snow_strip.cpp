@@ -291,6 +291,10 @@ void SnowStrip::hold_back(std::uint64_t crossing, SnowLifts& lifts) {
 void SnowStrip::cross_open_side(const SnowLandings& landings, const std::uint64_t* row_words, int begin, int end,
                                 const SnowSweep& sweep, SnowAir& air) {
   for (int line = 0; line < lines_; ++line) {
+    if (begin > 0 && entering_line(begin) == line) {
+      drop_out(begin, line);
+      enter(begin, line, sweep);
+    }
     for (int first = begin; first < end && (find_crossing(begin, end) & bit(line)) != 0;) {
       int next = first + 1;
       while (next < end && entering_line(next) != line) ++next;
