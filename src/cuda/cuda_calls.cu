@@ -50,6 +50,12 @@ class CudaCalls : public DeviceCalls {
   Status launch(DeviceKernel kernel, int blocks, const DevicePlan& plan, void* stream) override {
     return start(on_device::kernel_of(kernel), blocks, plan, stream);
   }
+  Status launch(LayerKernel kernel, int blocks, const LayerPlan& plan, void* stream) override {
+    return start(on_device::kernel_of(kernel), blocks, plan, stream);
+  }
+  Status launch(SnowKernel kernel, int blocks, const SnowPlan& plan, void* stream) override {
+    return start(on_device::kernel_of(kernel), blocks, plan, stream);
+  }
   Status launch(GrainKernel kernel, int blocks, const GrainPlan& plan, void* stream) override {
     return start(on_device::kernel_of(kernel), blocks, plan, stream);
   }

@@ -44,12 +44,24 @@ GrainReport CudaExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law, 
   return cpu_.fly_grains(terrain, law, wind, key, look);
 }
 
+StepReport CudaExecutor::drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
+  if (device_) {
+    try {
+      return drift_on_device(terrain, snow, wind, key);
+    } catch (const DeviceError& error) {
+      give_up(terrain, error.what());
+    }
+  }
+  cpu_.count_lifts(lift_counts());
+  return cpu_.drift_snow(terrain, snow, wind, key);
+}
+
 StepReport CudaExecutor::step_on_device(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
   if (holder_ != Holder::slabs || !holds(terrain)) {
     bring_back(terrain);
     forget();
-    grains_.reset();
+    free_all_but(Holder::slabs);
     if (!slabs_) slabs_ = std::make_unique<DeviceSlabs>(*device_, sweeps_);
     slabs_->load(terrain, frame);
     take_up(Holder::slabs, terrain);
@@ -69,7 +81,7 @@ GrainReport CudaExecutor::fly_on_device(Terrain& terrain, const GrainStepLaw& la
   if (holder_ != Holder::grains || !holds(terrain)) {
     bring_back(terrain);
     forget();
-    slabs_.reset();
+    free_all_but(Holder::grains);
     if (!grains_) grains_ = std::make_unique<DeviceGrains>(*device_);
     grains_->load(terrain, frame);
     take_up(Holder::grains, terrain);
@@ -79,11 +91,35 @@ GrainReport CudaExecutor::fly_on_device(Terrain& terrain, const GrainStepLaw& la
   return report;
 }
 
+StepReport CudaExecutor::drift_on_device(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
+  const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
+  if (holder_ != Holder::snow || !holds(terrain)) {
+    bring_back(terrain);
+    forget();
+    free_all_but(Holder::snow);
+    if (!snow_) snow_ = std::make_unique<DeviceSnow>(*device_, sweeps_);
+    snow_->load(terrain, frame);
+    take_up(Holder::snow, terrain);
+  }
+  const StepReport report = snow_->step(terrain, snow, frame, key, lift_counts());
+  terrain.ledger().in += report.slabs_in;
+  terrain.ledger().out += report.slabs_out;
+  remember([this, snow, wind, key](Terrain& ground) { cpu_.drift_snow(ground, snow, wind, key); }, terrain);
+  return report;
+}
+
 // --- what the device holds ---
+
+/// Gives back the memory of other ways to hold a terrain.
+void CudaExecutor::free_all_but(Holder holder) {
+  if (holder != Holder::slabs) slabs_.reset();
+  if (holder != Holder::grains) grains_.reset();
+  if (holder != Holder::snow) snow_.reset();
+}
 
 bool CudaExecutor::holds(const Terrain& terrain) const {
   if (holder_ == Holder::none || loaded_ != &terrain || revision_ != terrain.revision()) return false;
-  return holder_ != Holder::grains || fields_revision_ == terrain.fields_revision();
+  return holder_ == Holder::slabs || fields_revision_ == terrain.fields_revision();
 }
 
 void CudaExecutor::take_up(Holder holder, const Terrain& terrain) {
@@ -123,11 +159,9 @@ void CudaExecutor::remember(Again step, Terrain& terrain) {
 /// Brings the terrain back if the device has changed it.
 void CudaExecutor::bring_back(Terrain& terrain) {
   if (!holds(terrain) || done_.empty()) return;
-  if (holder_ == Holder::slabs) {
-    slabs_->settle(terrain);
-  } else {
-    grains_->settle(terrain);
-  }
+  if (holder_ == Holder::slabs) slabs_->settle(terrain);
+  if (holder_ == Holder::grains) grains_->settle(terrain);
+  if (holder_ == Holder::snow) snow_->settle(terrain);
   take_up(holder_, terrain);
   done_.clear();
   cover_.reset();
@@ -154,8 +188,7 @@ void CudaExecutor::give_up(Terrain& terrain, const std::string& why) {
     terrain.ledger() = booked;
   }
   forget();
-  slabs_.reset();
-  grains_.reset();
+  free_all_but(Holder::none);
   device_.reset();
 }
 

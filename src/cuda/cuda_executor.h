@@ -1,5 +1,5 @@
-// The executor "cuda": the sub-sweeps of `cpu` and the flights of grains on a graphics card, with the same bits. The
-// terrain stays on the device between steps; only what is asked for comes back.
+// The executor "cuda": the sub-sweeps of `cpu`, the flights of grains and the drift of snow on a graphics card, with
+// the same bits. The terrain stays on the device between steps; only what is asked for comes back.
 //
 // Where the device is missing, full or fails, the processor goes on from the same state, and take_notice says so. For
 // that the executor remembers the steps since the terrain was last brought back: the processor does those steps again,
@@ -14,6 +14,7 @@
 
 #include "cuda/device_grains.h"
 #include "cuda/device_slabs.h"
+#include "cuda/device_snow.h"
 #include "transport/parallel_executor.h"
 
 namespace erg {
@@ -29,6 +30,7 @@ class CudaExecutor : public Executor {
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                          const GroundLook& look) override;
+  StepReport drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) override;
   void settle(Terrain& terrain) override;
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override {
     cpu_.for_pieces(items, work);
@@ -40,17 +42,19 @@ class CudaExecutor : public Executor {
 
  private:
   /// What the device holds the terrain as, if it holds one.
-  enum class Holder { none, slabs, grains };
+  enum class Holder { none, slabs, grains, snow };
   /// A step that the device has done, to be done again by the processor.
   using Again = std::function<void(Terrain& terrain)>;
 
   StepReport step_on_device(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key);
   GrainReport fly_on_device(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                             const GroundLook& look);
+  StepReport drift_on_device(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key);
   Again again(const SlabLaw& law, const WindNow& wind, StepKey key);
   void remember(Again step, Terrain& terrain);
   void bring_back(Terrain& terrain);
   void take_up(Holder holder, const Terrain& terrain);
+  void free_all_but(Holder holder);
   void forget();
   void give_up(Terrain& terrain, const std::string& why);
   bool holds(const Terrain& terrain) const;
@@ -60,6 +64,7 @@ class CudaExecutor : public Executor {
   std::unique_ptr<Device> device_;
   std::unique_ptr<DeviceSlabs> slabs_;  // these are freed before the device
   std::unique_ptr<DeviceGrains> grains_;
+  std::unique_ptr<DeviceSnow> snow_;
   std::string notice_;
   Holder holder_ = Holder::none;
   const Terrain* loaded_ = nullptr;

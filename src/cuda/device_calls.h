@@ -11,6 +11,8 @@ namespace erg {
 
 struct DevicePlan;
 struct GrainPlan;
+struct LayerPlan;
+struct SnowPlan;
 
 /// The kernels, as those who launch them name them.
 enum class DeviceKernel {
@@ -32,8 +34,31 @@ enum class DeviceKernel {
   slide_corners
 };
 
-/// The same for grains.
-enum class GrainKernel { lay, stage, freeze, shadow, rim, fly, let_in, hand_out, settle_accounts, slide, creep, bond };
+/// Those that turn a layer into the wind's frame, and back.
+enum class LayerKernel { lay, stage };
+
+/// Those of grains.
+enum class GrainKernel { freeze, shadow, rim, fly, let_in, hand_out, settle_accounts, slide, creep, bond };
+
+/// Those of sintering snow.
+enum class SnowKernel {
+  measure,
+  sum_heights,
+  sum_columns,
+  sum_rows,
+  average_rows,
+  shadow,
+  weather,
+  find_walls,
+  find_runs,
+  fly,
+  bring_down,
+  store,
+  slide,
+  fall,
+  rest,
+  show_strength
+};
 
 /// Threads in a block of every launch.
 inline constexpr int device_block = 256;
@@ -66,7 +91,9 @@ class DeviceCalls {
   virtual Status copy_out(void* pinned, const void* device, std::size_t bytes, void* stream) = 0;
   virtual Status fill(void* device, int byte, std::size_t bytes, void* stream) = 0;
   virtual Status launch(DeviceKernel kernel, int blocks, const DevicePlan& plan, void* stream) = 0;
+  virtual Status launch(LayerKernel kernel, int blocks, const LayerPlan& plan, void* stream) = 0;
   virtual Status launch(GrainKernel kernel, int blocks, const GrainPlan& plan, void* stream) = 0;
+  virtual Status launch(SnowKernel kernel, int blocks, const SnowPlan& plan, void* stream) = 0;
 };
 
 /// The real ones; null where Erg was built without CUDA.

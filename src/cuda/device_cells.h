@@ -102,8 +102,8 @@ __device__ inline void raise(std::uint32_t* bound, std::uint32_t value) {
 struct ThreadTally {
   std::int64_t counts[tallies] = {};
 
-  __device__ void book(const DevicePlan& plan) const {
-    TallyWord* slot = plan.tally + (first_item() % tally_slots) * tallies;
+  __device__ void book(TallyWord* tally) const {
+    TallyWord* slot = tally + (first_item() % tally_slots) * tallies;
     for (int k = 0; k < tallies; ++k) {
       if (counts[k] != 0) atomicAdd(slot + k, static_cast<TallyWord>(counts[k]));
     }

@@ -14,35 +14,19 @@ constexpr std::size_t tally_words = sizeof(GrainTallyWords) / sizeof(std::int64_
 // --- in and out ---
 
 void DeviceGrains::allocate(std::size_t cells, const WindFrame& frame) {
-  for (Counts* counts : {&bedrock_, &mobile_, &bonded_, &gone_, &come_, &stirred_, &asked_, &asked_speed_, &staged_}) {
+  for (DeviceLayer* counts : {&bedrock_, &mobile_, &bonded_, &gone_, &come_, &stirred_, &asked_, &asked_speed_}) {
     device_.fit(*counts, cells);
   }
+  layers_.fit(cells);
   device_.fit(shelter_, cells);
   device_.fit(points_, static_cast<std::size_t>(frame.width + 2) * static_cast<std::size_t>(frame.length + 2));
   device_.fit(law_, 1);
   device_.fit(bounds_, 3);
   device_.fit(tally_, tally_slots * tally_words);
-  for (const Counts* counts : {&gone_, &come_, &asked_, &asked_speed_}) {
+  for (const DeviceLayer* counts : {&gone_, &come_, &asked_, &asked_speed_}) {
     device_.fill(counts->data(), 0, counts->bytes());  // so every step leaves them
   }
   device_.fill(bounds_.data(), 0, bounds_.bytes());
-}
-
-GrainPlan DeviceGrains::moving(const Counts& layer) const {
-  GrainPlan plan;
-  plan.bed.width = frame_.width;
-  plan.bed.length = frame_.length;
-  plan.order = terrain_order(frame_);
-  plan.staged = staged_.data();
-  plan.layer = layer.data();
-  return plan;
-}
-
-/// Sends value(cell) of each of the terrain's cells to a layer.
-template <typename Value>
-void DeviceGrains::lay(const Counts& layer, const Value& value) {
-  device_.send_each(staged_, value);
-  device_.launch(GrainKernel::lay, cells(), moving(layer));
 }
 
 void DeviceGrains::load(const Terrain& terrain, const WindFrame& frame) {
@@ -54,34 +38,22 @@ void DeviceGrains::load(const Terrain& terrain, const WindFrame& frame) {
   frame_ = frame;
   lowest_ = *std::min_element(bedrock.begin(), bedrock.end());
   allocate(terrain.extent().cells(), frame);
-  lay(bedrock_, [&](std::size_t cell) { return bedrock[cell]; });
-  lay(mobile_, [&](std::size_t cell) { return mobile[cell]; });
+  layers_.lay(bedrock_, frame, [&](std::size_t cell) { return bedrock[cell]; });
+  layers_.lay(mobile_, frame, [&](std::size_t cell) { return mobile[cell]; });
   may_bond_ = false;
-  lay(bonded_, [&](std::size_t cell) {
+  layers_.lay(bonded_, frame, [&](std::size_t cell) {
     const std::int32_t grains = bonded == nullptr ? 0 : bonded_grains(mobile[cell], bonded->values[cell]);
     may_bond_ = may_bond_ || (bonded != nullptr && bonded->values[cell] != 0);
     return grains;
   });
 }
 
-void DeviceGrains::turn(const WindFrame& frame) {
-  const WindFrame from = frame_;
-  for (const Counts* layer : {&bedrock_, &mobile_, &bonded_}) {
-    frame_ = from;
-    device_.launch(GrainKernel::stage, cells(), moving(*layer));
-    frame_ = frame;
-    device_.launch(GrainKernel::lay, cells(), moving(*layer));
-  }
-}
-
-std::vector<std::int32_t> DeviceGrains::bring_back(const Counts& layer) {
-  device_.launch(GrainKernel::stage, cells(), moving(layer));
-  return device_.fetch(staged_.data(), staged_.size());
-}
+void DeviceGrains::turn(const WindFrame& frame) { layers_.turn({&bedrock_, &mobile_, &bonded_}, frame_, frame); }
 
 void DeviceGrains::settle(Terrain& terrain) {
-  const std::vector<std::int32_t> mobile = bring_back(mobile_);
-  const std::vector<std::int32_t> bonded = may_bond_ ? bring_back(bonded_) : std::vector<std::int32_t>{};
+  const std::vector<std::int32_t> mobile = layers_.bring_back(mobile_, frame_);
+  const std::vector<std::int32_t> bonded =
+      may_bond_ ? layers_.bring_back(bonded_, frame_) : std::vector<std::int32_t>{};
   // Only now that nothing can fail any more: the layers must not be half new.
   std::ranges::copy(mobile, terrain.edit_mobile().cells().begin());
   Field* field = may_bond_ ? find_field(terrain.edit_fields(), bonded_field) : nullptr;
@@ -139,7 +111,7 @@ GrainTally DeviceGrains::step(const Terrain& terrain, const GrainStepLaw& law, c
   const std::vector<TallyWord> words = device_.fetch(tally_.data(), tally_.size());
   for (std::size_t k = 0; k < words.size(); ++k) sum.of[k % tally_words] += static_cast<std::int64_t>(words[k]);
   if (lift_counts != nullptr) {
-    const std::vector<std::int32_t> lifts = bring_back(lifted_);
+    const std::vector<std::int32_t> lifts = layers_.bring_back(lifted_, frame_);
     for (std::size_t cell = 0; cell < lifts.size(); ++cell) (*lift_counts)[cell] += lifts[cell];
   }
   return std::bit_cast<GrainTally>(sum);

@@ -6,16 +6,15 @@
 #include <optional>
 #include <vector>
 
-#include "cuda/device.h"
+#include "cuda/device_layers.h"
 #include "cuda/grain_plan.h"
 #include "transport/grain_phases.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 
 class DeviceGrains : private GrainPhases {
  public:
-  explicit DeviceGrains(Device& device) : device_(device) {}
+  explicit DeviceGrains(Device& device) : device_(device), layers_(device) {}
 
   /// Brings the terrain to the device. This and all that follows throws DeviceError.
   void load(const Terrain& terrain, const WindFrame& frame);
@@ -28,17 +27,10 @@ class DeviceGrains : private GrainPhases {
   void settle(Terrain& terrain);
 
  private:
-  using Counts = DeviceArray<std::int32_t>;
-
   std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
   void allocate(std::size_t cells, const WindFrame& frame);
-  template <typename Value>
-  void lay(const Counts& layer, const Value& value);
-  std::vector<std::int32_t> bring_back(const Counts& layer);
   void turn(const WindFrame& frame);
   void send_law(const GrainStepLaw& law);
-  /// The plan of a launch that lays a layer or stages it.
-  GrainPlan moving(const Counts& layer) const;
 
   void freeze() override;
   void fly(const GrainMoment& now) override;
@@ -59,16 +51,16 @@ class DeviceGrains : private GrainPhases {
   std::optional<GrainLaw> law_on_device_;
   std::shared_ptr<const std::vector<float>> shelter_on_device_;
 
-  Counts bedrock_;
-  Counts mobile_;
-  Counts bonded_;
-  Counts gone_;
-  Counts come_;
-  Counts stirred_;
-  Counts lifted_;  // empty until lifts are counted
-  Counts asked_;
-  Counts asked_speed_;
-  Counts staged_;
+  DeviceLayers layers_;
+  DeviceLayer bedrock_;
+  DeviceLayer mobile_;
+  DeviceLayer bonded_;
+  DeviceLayer gone_;
+  DeviceLayer come_;
+  DeviceLayer stirred_;
+  DeviceLayer lifted_;  // empty until lifts are counted
+  DeviceLayer asked_;
+  DeviceLayer asked_speed_;
   DeviceArray<float> shelter_;
   DeviceArray<GroundPoint> points_;
   DeviceArray<GrainLaw> law_;

@@ -53,6 +53,14 @@ struct TerrainOrder {
 
 TerrainOrder terrain_order(const WindFrame& frame);
 
+/// A layer of 32-bit words that is to be turned between the terrain's order and the frame's.
+struct LayerPlan {
+  TerrainOrder order;
+  std::int32_t cells = 0;
+  std::int32_t* staged = nullptr;  ///< in the terrain's order
+  std::int32_t* layer = nullptr;   ///< in the frame's
+};
+
 struct DevicePlan {
   int width = 0;
   int length = 0;

@@ -193,7 +193,7 @@ StepReport DeviceSlabs::step(const SlabLaw& law, const WindFrame& frame, double 
   frame_ = frame;
   DevicePlan plan = step_plan(law, strength);
   device_.fill(tally_.data(), 0, tally_.bytes());
-  Counts counts;
+  SlabCounts counts;
   int idle = 0;
   for (int number = 0; goes_on(law, number, idle, counts.of[tally_lifts], cells(), sweeps_); ++number) {
     plan.sweep = sub_sweep(law, frame_, open_, key, number, sweeps_);
@@ -204,10 +204,10 @@ StepReport DeviceSlabs::step(const SlabLaw& law, const WindFrame& frame, double 
     current_ = 1 - current_;
     if (!law.forced_erosion) continue;
     const std::int64_t lifts = counts.of[tally_lifts];
-    counts = read_counts();
+    counts = read_counts(device_, tally_);
     idle = counts.of[tally_lifts] > lifts ? 0 : idle + 1;
   }
-  counts = read_counts();
+  counts = read_counts(device_, tally_);
   mobile_total_ += counts.of[tally_in] - counts.of[tally_out];
   StepReport report;
   report.polls = counts.of[tally_polls];
@@ -258,13 +258,6 @@ void DeviceSlabs::slide(DevicePlan plan, const SlabLaw& law) {
     choose(edges);
     device_.launch(DeviceKernel::slide_corners, plan.tiles.blocks, plan);
   }
-}
-
-DeviceSlabs::Counts DeviceSlabs::read_counts() {
-  Counts counts;
-  const std::vector<TallyWord> words = device_.fetch(tally_.data(), tally_.size());
-  for (std::size_t k = 0; k < words.size(); ++k) counts.of[k % tallies] += static_cast<std::int64_t>(words[k]);
-  return counts;
 }
 
 }  // namespace erg

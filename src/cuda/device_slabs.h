@@ -7,6 +7,7 @@
 
 #include "cuda/device.h"
 #include "cuda/device_plan.h"
+#include "cuda/device_tally.h"
 #include "transport/executor.h"
 #include "wind/wind_frame.h"
 
@@ -31,11 +32,6 @@ class DeviceSlabs {
   void settle(Terrain& terrain);
 
  private:
-  /// Slabs counted in a step.
-  struct Counts {
-    std::int64_t of[tallies] = {};
-  };
-
   std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
   void allocate(const Terrain& terrain);
   /// Lays the terrain out for a wind from another side.
@@ -47,7 +43,6 @@ class DeviceSlabs {
   double mean_deviation(const DevicePlan& plan, double mean);
   void sweep(DevicePlan plan);
   void slide(DevicePlan plan, const SlabLaw& law);
-  Counts read_counts();
 
   Device& device_;
   int sweeps_;

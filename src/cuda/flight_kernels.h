@@ -148,7 +148,7 @@ __global__ void let_in(DevicePlan plan) {
     }
     tally.counts[tally_in] += slabs;
   }
-  tally.book(plan);
+  tally.book(plan.tally);
 }
 
 /// Polls one cell in each block of a line, lifts its slab and follows it.
@@ -178,7 +178,7 @@ __global__ void lift(DevicePlan plan) {
     tally.counts[tally_rows] += rows;
     follow(plan, line, row, row + rows, tally);
   }
-  tally.book(plan);
+  tally.book(plan.tally);
 }
 
 /// The next row at which slabs of a list come down, and how many.
@@ -229,7 +229,7 @@ __global__ void carry(DevicePlan plan) {
       send_on(plan, first, now.row, now.row + rows, leaving);
     }
   }
-  tally.book(plan);
+  tally.book(plan.tally);
 }
 
 }  // namespace erg::ERG_KERNEL_SPACE

@@ -7,22 +7,6 @@
 
 namespace erg::ERG_KERNEL_SPACE {
 
-// --- in and out ---
-
-/// A layer from the terrain's order into the frame's.
-__global__ void grain_lay(GrainPlan plan) {
-  for (std::int32_t cell = first_item(); cell < plan.bed.cells(); cell += item_stride()) {
-    plan.layer[cell] = plan.staged[plan.order.place(cell)];
-  }
-}
-
-/// The same way back.
-__global__ void grain_stage(GrainPlan plan) {
-  for (std::int32_t cell = first_item(); cell < plan.bed.cells(); cell += item_stride()) {
-    plan.staged[plan.order.place(cell)] = plan.layer[cell];
-  }
-}
-
 // --- the frozen ground ---
 
 /// Heights and loose grains of all cells, and how high and low the bed reaches.

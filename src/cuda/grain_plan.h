@@ -21,10 +21,6 @@ struct GrainPlan {
   std::uint32_t* bounds = nullptr;  ///< over the lowest bedrock, quanta: the highest cell; ~ the lowest cell
   std::uint32_t* slid = nullptr;    ///< 1 where something slid
   TallyWord* tally = nullptr;       ///< tally_slots * the words of a GrainTally
-
-  TerrainOrder order;
-  std::int32_t* staged = nullptr;  ///< a layer in the terrain's order
-  std::int32_t* layer = nullptr;   ///< the same in the frame's
 };
 
 }  // namespace erg

@@ -7,11 +7,16 @@
 #include "cuda/layout_kernels.h"
 #include "cuda/shadow_kernel.h"
 #include "cuda/slide_kernels.h"
+#include "cuda/snow_bed_kernels.h"
+#include "cuda/snow_flight_kernels.h"
+#include "cuda/snow_weather_kernels.h"
 
 namespace erg::ERG_KERNEL_SPACE {
 
 using KernelFunction = void (*)(DevicePlan);
+using LayerKernelFunction = void (*)(LayerPlan);
 using GrainKernelFunction = void (*)(GrainPlan);
+using SnowKernelFunction = void (*)(SnowPlan);
 
 inline KernelFunction kernel_of(DeviceKernel kernel) {
   switch (kernel) {
@@ -51,12 +56,12 @@ inline KernelFunction kernel_of(DeviceKernel kernel) {
   return nullptr;
 }
 
+inline LayerKernelFunction kernel_of(LayerKernel kernel) {
+  return kernel == LayerKernel::lay ? lay_layer : stage_layer;
+}
+
 inline GrainKernelFunction kernel_of(GrainKernel kernel) {
   switch (kernel) {
-    case GrainKernel::lay:
-      return grain_lay;
-    case GrainKernel::stage:
-      return grain_stage;
     case GrainKernel::freeze:
       return grain_freeze;
     case GrainKernel::shadow:
@@ -77,6 +82,44 @@ inline GrainKernelFunction kernel_of(GrainKernel kernel) {
       return grain_creep;
     case GrainKernel::bond:
       return grain_bond;
+  }
+  return nullptr;
+}
+
+inline SnowKernelFunction kernel_of(SnowKernel kernel) {
+  switch (kernel) {
+    case SnowKernel::measure:
+      return snow_measure;
+    case SnowKernel::sum_heights:
+      return snow_sum_heights;
+    case SnowKernel::sum_columns:
+      return snow_sum_columns;
+    case SnowKernel::sum_rows:
+      return snow_sum_rows;
+    case SnowKernel::average_rows:
+      return snow_average_rows;
+    case SnowKernel::shadow:
+      return snow_cast_shadow;
+    case SnowKernel::weather:
+      return snow_make_weather;
+    case SnowKernel::find_walls:
+      return snow_find_walls;
+    case SnowKernel::find_runs:
+      return snow_find_runs;
+    case SnowKernel::fly:
+      return snow_fly;
+    case SnowKernel::bring_down:
+      return snow_bring_down;
+    case SnowKernel::store:
+      return snow_store;
+    case SnowKernel::slide:
+      return snow_slide;
+    case SnowKernel::fall:
+      return snow_fall;
+    case SnowKernel::rest:
+      return snow_rest;
+    case SnowKernel::show_strength:
+      return snow_show_strength;
   }
   return nullptr;
 }

@@ -5,6 +5,20 @@
 
 namespace erg::ERG_KERNEL_SPACE {
 
+/// A layer from the terrain's order into the frame's.
+__global__ void lay_layer(LayerPlan plan) {
+  for (std::int32_t cell = first_item(); cell < plan.cells; cell += item_stride()) {
+    plan.layer[cell] = plan.staged[plan.order.place(cell)];
+  }
+}
+
+/// The same way back.
+__global__ void stage_layer(LayerPlan plan) {
+  for (std::int32_t cell = first_item(); cell < plan.cells; cell += item_stride()) {
+    plan.staged[plan.order.place(cell)] = plan.layer[cell];
+  }
+}
+
 /// Heights over the lowest bedrock, from the terrain's order.
 __global__ void lay_surface(DevicePlan plan) {
   for (std::int32_t cell = first_item(); cell < plan.cells(); cell += item_stride()) {

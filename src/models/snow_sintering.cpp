@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/units.h"
-#include "transport/snow_machine.h"
+#include "transport/snow_step.h"
 #include "wind/shadow.h"
 
 namespace erg {
@@ -19,7 +19,6 @@ constexpr double wind_height = 10;  // m
 constexpr double seconds_per_hour = 3600;
 constexpr double loose_density = 250;  // kg/m3, of snow that the wind has packed
 
-enum FieldNumber : std::size_t { loose, bonded, age, landed, strength };
 constexpr std::uint64_t strength_every = 16;  // steps: the layer is for people only
 
 constexpr const char* ours = "our own";
@@ -183,9 +182,6 @@ class SnowSintering : public Model {
  private:
   void prepare_law(const Terrain& terrain);
   void update_law(const WindNow& wind, StepKey key);
-  void load_layers(const Terrain& terrain);
-  void hold_fields(std::vector<Field>& fields);
-  void write_strength(const Terrain& terrain, Grid<float>& values, Executor& executor) const;
   int cells(const char* key, double cell_size) const {
     return std::clamp(static_cast<int>(std::lround(values_.real(key) / cell_size)), 0, 200);
   }
@@ -194,29 +190,25 @@ class SnowSintering : public Model {
   std::uint64_t seed_ = 0;
   double first_temperature_ = -10;
   SnowLaw law_;
-  SnowMachine machine_;
-  SnowLayers layers_;
-  std::uint64_t terrain_revision_ = 0;
-  std::uint64_t fields_revision_ = 0;
 };
 
 void SnowSintering::begin(Terrain& terrain) {
   prepare_law(terrain);
-  fields_revision_ = 0;
   if (!terrain.fields().empty()) return;
   std::vector<Field>& fields = terrain.edit_fields();
   for (FieldInfo& info : snow_sintering_fields()) fields.push_back({std::move(info), Grid<float>(terrain.extent())});
   const double hours = values_.real("start_age");
   const double share = 1 - std::exp(-hours / bonding_hours(values_, first_temperature_));
+  const auto layer = [&](SnowLayer which) -> Grid<float>& { return snow_layer(fields, which); };
   for (std::size_t cell = 0; cell < terrain.extent().cells(); ++cell) {
     const double hard = std::floor(terrain.mobile()[cell] * share + 0.5);
-    fields[bonded].values[cell] = static_cast<float>(hard);
-    fields[loose].values[cell] = static_cast<float>(terrain.mobile()[cell] - hard);
-    fields[age].values[cell] = hard > 0 ? static_cast<float>(hours) : 0.0f;
-    fields[landed].values[cell] = static_cast<float>(-hours);
+    layer(SnowLayer::bonded)[cell] = static_cast<float>(hard);
+    layer(SnowLayer::loose)[cell] = static_cast<float>(terrain.mobile()[cell] - hard);
+    layer(SnowLayer::age)[cell] = hard > 0 ? static_cast<float>(hours) : 0.0f;
+    layer(SnowLayer::landed)[cell] = static_cast<float>(-hours);
     const int x = static_cast<int>(cell % static_cast<std::size_t>(terrain.nx()));
     const int y = static_cast<int>(cell / static_cast<std::size_t>(terrain.nx()));
-    fields[strength].values[cell] = snow_strength(law_, x, y, static_cast<int>(hard));
+    layer(SnowLayer::strength)[cell] = snow_strength(law_, x, y, static_cast<int>(hard));
   }
 }
 
@@ -278,50 +270,12 @@ void SnowSintering::update_law(const WindNow& wind, StepKey key) {
   law_.snowfall = static_cast<float>(fall * static_cast<double>(law_.step_hours) / quantum());
 }
 
-void SnowSintering::load_layers(const Terrain& terrain) {
-  const std::size_t count = terrain.extent().cells();
-  const Grid<float>& hard = terrain.fields()[bonded].values;
-  layers_.loose.resize(count);
-  for (std::size_t cell = 0; cell < count; ++cell) {
-    // Snow that somebody painted is loose; what somebody took away was the loose part first.
-    layers_.loose[cell] = std::max(0, terrain.mobile()[cell] - static_cast<std::int32_t>(hard[cell]));
-  }
-}
-
-/// Where the machine finds and leaves the layers that people see.
-void SnowSintering::hold_fields(std::vector<Field>& fields) {
-  layers_.age = fields[age].values.cells();
-  layers_.landed = fields[landed].values.cells();
-  layers_.shown_loose = fields[loose].values.cells();
-  layers_.shown_bonded = fields[bonded].values.cells();
-}
-
-void SnowSintering::write_strength(const Terrain& terrain, Grid<float>& values, Executor& executor) const {
-  const SnowKernels& kernels = snow_kernels(best_instruction_set());
-  const bool noise = law_.pattern == StrengthPattern::noise || law_.pattern == StrengthPattern::both;
-  const std::size_t points = 2 * static_cast<std::size_t>(law_.noise_columns + 1) * StrengthLattice::layers;
-  executor.for_pieces(terrain.ny(), [&](std::int64_t begin, std::int64_t end) {
-    std::vector<float> memory(noise ? points : 0);
-    StrengthLattice lattice{.points = noise ? memory.data() : nullptr};
-    for (int y = static_cast<int>(begin); y < end; ++y) {
-      const std::size_t row = values.index(0, y);
-      kernels.strength(law_, {y, terrain.nx(), &terrain.mobile()[row], &layers_.loose[row], &values[row]}, lattice);
-    }
-  });
-}
-
 StepReport SnowSintering::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
-  if (fields_revision_ != terrain.fields_revision() || terrain_revision_ != terrain.revision()) load_layers(terrain);
   update_law(wind, key);
   const double cell_size = terrain.cell_size();
-  const SnowMachine::Radii radii{cells("smooth_radius", cell_size), std::max(1, cells("around_radius", cell_size))};
-  std::vector<Field>& fields = terrain.edit_fields();
-  hold_fields(fields);
-  const StepReport report = machine_.step(terrain, layers_, law_, radii, shadow_fall(cell_size), wind, key, executor);
-  if ((key.step + 1) % strength_every == 0) write_strength(terrain, fields[strength].values, executor);
-  terrain_revision_ = terrain.revision();
-  fields_revision_ = terrain.fields_revision();
-  return report;
+  const SnowRadii radii{cells("smooth_radius", cell_size), std::max(1, cells("around_radius", cell_size))};
+  const bool shows_strength = (key.step + 1) % strength_every == 0;
+  return executor.drift_snow(terrain, {law_, radii, shadow_fall(cell_size), shows_strength}, wind, key);
 }
 
 }  // namespace

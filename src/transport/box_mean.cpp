@@ -172,13 +172,19 @@ std::unique_ptr<BoxMeans> means_with(const BoxGrid& grid, int radius, bool twice
   return std::make_unique<OnceMeans<Sum>>(grid, radius, first, share);
 }
 
+/// Cells whose numbers a sum adds up, some of them several times if `twice`.
+std::uint64_t cells_of(int radius, bool twice) {
+  const auto side = static_cast<std::uint64_t>(2 * radius + 1);
+  return twice ? side * side * side * side : side * side;
+}
+
 }  // namespace
 
+float box_share(int radius, bool twice) { return static_cast<float>(1 / static_cast<double>(cells_of(radius, twice))); }
+
 std::unique_ptr<BoxMeans> box_means(const BoxGrid& grid, int radius, bool twice, int first) {
-  const std::uint64_t square = static_cast<std::uint64_t>(2 * radius + 1) * static_cast<std::uint64_t>(2 * radius + 1);
-  const std::uint64_t all = twice ? square * square : square;
-  const auto share = static_cast<float>(1 / static_cast<double>(all));
-  if (static_cast<double>(all) * grid.most < 0x1p31) {
+  const float share = box_share(radius, twice);
+  if (static_cast<double>(cells_of(radius, twice)) * grid.most < 0x1p31) {
     return means_with<std::uint32_t>(grid, radius, twice, first, share);
   }
   return means_with<std::uint64_t>(grid, radius, twice, first, share);

@@ -11,6 +11,9 @@ namespace erg {
 
 struct SnowKernels;
 
+/// What a sum over a box is multiplied with to be the mean of its cells; `twice`: a sum of sums.
+float box_share(int radius, bool twice);
+
 /// Numbers of which means are taken. Over the edges the grid goes on (torus) or repeats its outermost cells (open).
 struct BoxGrid {
   Extent extent;

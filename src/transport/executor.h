@@ -1,6 +1,7 @@
 // Executors: what carries out a model's time step, and shares out its other work over threads. `serial` is the
 // reference (one slab at a time), `cpu` the parallel engine, `cuda` the same on a graphics card. A model hands over a
-// law, of slabs (slab_law.h) or of single grains (grain_step.h), and never moves them itself.
+// law, of slabs (slab_law.h), of single grains (grain_step.h) or of bonding snow (snow_step.h), and never moves them
+// itself.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,7 @@ namespace erg {
 struct FrozenGround;
 struct GrainReport;
 struct GrainStepLaw;
+struct SnowStep;
 /// Called with the ground that the flights of a step's last sub-step see; it may fly some of them once more.
 using GroundLook = std::function<void(const FrozenGround& ground)>;
 
@@ -44,13 +46,16 @@ class Executor {
   /// on every executor. `look` may be empty.
   virtual GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                                  const GroundLook& look) = 0;
+  /// Lets snow drift, slide, fall and bond for one time step, and books in- and outflow. The terrain has the fields of
+  /// SnowLayer. Throws InputError if the snow has grown too high to be counted.
+  virtual StepReport drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) = 0;
   /// Brings the terrain's layers up to date, and its fields where an executor changes them.
   virtual void settle(Terrain& terrain) = 0;
   /// Adds, from the next step on, the slabs that the polls of a step lift from each cell to `counts`, whose extent is
   /// the terrain's and which must stay; null: no longer. Costs some time, and changes nothing else. In all cells
   /// together a step adds its `lifts`.
   void count_lifts(Grid<std::int32_t>* counts) { lift_counts_ = counts; }
-  /// Where lifts are counted; null: nowhere. A model that lifts slabs itself adds them here.
+  /// Where lifts are counted; null: nowhere.
   Grid<std::int32_t>* lift_counts() const { return lift_counts_; }
   /// What the user should know that happened since this was last asked (a device was lost), in one line; mostly empty.
   virtual std::string take_notice() { return {}; }

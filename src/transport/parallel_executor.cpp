@@ -25,7 +25,8 @@ SlideTile tile_number(int number, int length) {
 
 }  // namespace
 
-ParallelExecutor::ParallelExecutor(const ExecutorOptions& options) : options_(options), team_(options.threads) {
+ParallelExecutor::ParallelExecutor(const ExecutorOptions& options)
+    : options_(options), team_(options.threads), snow_(options.instructions) {
   if (!std::has_single_bit(static_cast<unsigned>(options.sweeps)) || options.sweeps < 2 || options.sweeps > 64) {
     throw InputError("sweeps", std::to_string(options.sweeps) + " sub-sweeps a step", "use 2, 4, 8, 16, 32 or 64");
   }
@@ -237,6 +238,11 @@ GrainReport ParallelExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& l
                                          const GroundLook& look) {
   settle(terrain);
   return grains_.step(terrain, law, wind, key, look, *this);
+}
+
+StepReport ParallelExecutor::drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
+  settle(terrain);
+  return snow_.step(terrain, snow, wind, key, *this);
 }
 
 void ParallelExecutor::for_pieces(std::int64_t items,

@@ -14,6 +14,7 @@
 
 #include "transport/aligned_vector.h"
 #include "transport/grain_bed.h"
+#include "transport/snow_drift.h"
 #include "transport/sweep.h"
 #include "transport/thread_team.h"
 #include "wind/wind_frame.h"
@@ -31,6 +32,7 @@ class ParallelExecutor : public Executor {
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                          const GroundLook& look) override;
+  StepReport drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) override;
   void settle(Terrain& terrain) override;
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override;
 
@@ -126,6 +128,7 @@ class ParallelExecutor : public Executor {
   ExecutorOptions options_;
   ThreadTeam team_;
   GrainBed grains_;
+  SnowDrift snow_;
 
   const Terrain* loaded_ = nullptr;
   std::uint64_t revision_ = 0;

@@ -96,6 +96,11 @@ GrainReport SerialExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law
   return grains_.step(terrain, law, wind, key, look, *this);
 }
 
+StepReport SerialExecutor::drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
+  settle(terrain);
+  return snow_.step(terrain, snow, wind, key, *this);
+}
+
 void SerialExecutor::prepare(const SlabLaw& law, const WindNow& wind, StepKey key) {
   strength_ = wind.strength;
   key_ = key;

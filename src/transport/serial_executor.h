@@ -6,6 +6,7 @@
 
 #include "transport/executor.h"
 #include "transport/grain_bed.h"
+#include "transport/snow_drift.h"
 #include "wind/wind_frame.h"
 
 namespace erg {
@@ -18,6 +19,7 @@ class SerialExecutor : public Executor {
   StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                          const GroundLook& look) override;
+  StepReport drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) override;
   void settle(Terrain& terrain) override;
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override {
     if (items > 0) work(0, items);
@@ -81,6 +83,7 @@ class SerialExecutor : public Executor {
   std::vector<std::uint8_t> cover_;
   std::vector<std::uint32_t> order_;
   GrainBed grains_;
+  SnowDrift snow_;
 
   // How many cells have each height over lowest_: the highest cell and Bishop's sum come from it at once.
   std::vector<std::int64_t> height_count_;

@@ -3,7 +3,6 @@
 // a choice between two numbers will do.
 
 constexpr int side_by_side = 16;  // lanes that are worked on together; those too many do no harm
-constexpr std::uint32_t always = 65536;
 
 // --- terrain in and out ---
 
@@ -71,19 +70,19 @@ void poll(const SnowPolls& polls, const SnowLines& lines, std::int32_t* __restri
   // A cell's words, of which the first two are asked for.
   const auto* __restrict words =
       reinterpret_cast<const std::uint32_t*>(lines.cells + std::ptrdiff_t{polls.first_row} * lines.next_row);
-  const std::uint32_t key = polls.key + static_cast<std::uint32_t>(lines.first_line) * 0x9e3779b9u;
+  const std::uint32_t key = polls.key;
+  const auto first_line = static_cast<std::uint32_t>(lines.first_line);
   const std::uint32_t chance_key = polls.chance_key;
   const std::int32_t rows = polls.rows;
   const std::int32_t count_lines = lines.lines;
   const std::int32_t next_row = lines.next_row;
   const std::int32_t next_line = lines.next_line;
   ERG_EACH(i, snow_lines) {
-    const std::uint32_t word = mix32(key + static_cast<std::uint32_t>(i) * 0x9e3779b9u);
+    const std::uint32_t word = snow_poll_word(key, first_line + static_cast<std::uint32_t>(i));
     const auto polled = static_cast<std::int32_t>(polled_row[static_cast<std::int32_t>(word >> 24)]);
     const std::int32_t at = polled < rows ? polled : 0;
     const std::int32_t cell = (at * next_row + i * next_line) * 4;
-    const std::uint32_t chance = lift_chance_of(words[cell], words[cell + 1]);
-    const std::uint32_t lets_go = (mix32(word ^ chance_key) >> 16) < chance ? 1 : 0;
+    const std::uint32_t lets_go = snow_lifts(word, chance_key, words[cell], words[cell + 1]) ? 1 : 0;
     row[i] = at;
     lifted[i] = (polled < rows ? 1 : 0) & (i < count_lines ? 1 : 0) & lets_go;
   }
@@ -229,11 +228,11 @@ void take_first(const SnowLines& lines, int first_row, std::uint64_t within, con
 /// What becomes of the first slab of each load. It decides on the snow as it finds it.
 void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_words, int first_row, Arrivals& all,
             SnowAir& air) {
-  const std::uint32_t rest_loose = landings.rest_loose;
-  const std::uint32_t rest_hard = landings.rest_hard;
-  const std::uint32_t rest_ground = landings.rest_ground;
-  const std::uint32_t suspension = landings.suspension;
-  const std::uint32_t least_rest = landings.last ? always : 0;
+  const std::uint32_t rest_loose = landings.rests.loose;
+  const std::uint32_t rest_hard = landings.rests.hard;
+  const std::uint32_t rest_ground = landings.rests.ground;
+  const std::uint32_t suspension = landings.rests.suspension;
+  const std::uint32_t least_rest = landings.last ? certain : 0;
   const auto first_line = static_cast<std::uint64_t>(landings.lines.first_line);
   const std::int32_t windows = air.windows - 1;
   const std::int32_t next_line = air.next_line;
@@ -267,7 +266,7 @@ void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_wo
       const std::uint32_t on_bare = snow >> 16 != 0 ? rest_hard : rest_ground;
       const std::uint32_t on_snow = (snow & 0xffff) != 0 ? rest_loose : on_bare;
       const std::uint32_t in_light = on_snow > least_rest ? on_snow : least_rest;
-      const std::uint32_t rest = mean_hop_64(hops) == 0 ? always : in_light;
+      const std::uint32_t rest = mean_hop_64(hops) == 0 ? certain : in_light;
       const std::uint32_t stay = (low & 0xffff) < rest ? 1 : 0;
       const std::uint32_t off = (low >> 16) < suspension ? 1 : 0;
       const std::uint32_t fly = (stay | off) ^ 1;
@@ -302,7 +301,7 @@ void decide_others(const SnowLandings& landings, int first_row, Arrivals& all, i
   for (std::uint64_t slabs = all.load[k] / one_slab; slabs > 1; --slabs) {
     word = mix64(word);
     const std::uint32_t stay = (word & 0xffff) < all.rest[k] ? 1 : 0;
-    const std::uint32_t off = (word >> 16 & 0xffff) < landings.suspension ? 1 : 0;
+    const std::uint32_t off = (word >> 16 & 0xffff) < landings.rests.suspension ? 1 : 0;
     const std::uint32_t flies = (stay | off) ^ 1;
     const int whole = snow_hop_rows(all.found[k].hops, static_cast<std::uint32_t>(word >> 32));
     const int flown = whole < all.found[k].run ? whole : all.found[k].run;
@@ -336,15 +335,14 @@ void strike(const SnowLandings& landings, int first_row, Arrivals& all, int k) {
   }
   const std::int32_t surface = mobile_of(snow) + (ground != nullptr ? ground[here] : 0);
   const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface - upwind);
-  const auto slabs = static_cast<std::uint32_t>(all.load[k] / one_slab);
-  const float flown = static_cast<float>(all.load[k] % one_slab) / static_cast<float>(slabs * whole_hop);
-  const float power = abrasion_of(all.found[k].hops) * impact_share(*landings.law, rise) * flown;
+  const std::uint32_t slabs = slabs_of(all.load[k]);
+  const float power = strike_power(*landings.law, all.found[k].hops, all.load[k], rise);
   if (power <= 0) return;
   std::uint32_t word = mix32(static_cast<std::uint32_t>(all.word[k] >> 32));
   std::int32_t freed = 0;
   for (std::uint32_t slab = 0; slab < slabs; ++slab) {
     const float drawn = unit_24(word);
-    word = mix32(word + 0x85ebca6bu);
+    word = next_snow_word(word);
     if (may_free(*landings.law, drawn, power) && drawn * strength_at(landings, row, all.line[k], snow) < power) ++freed;
   }
   const std::int32_t most = mobile_of(snow);

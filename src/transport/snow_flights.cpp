@@ -2,27 +2,20 @@
 
 #include <algorithm>
 #include <bit>
-
-#include "transport/fixed_point.h"
-#include "transport/slab_cell.h"
-#include "transport/sub_sweep.h"
+#include <utility>
 
 namespace erg {
-namespace {
-
-/// What the random words of the flights are for; each has a key space of its own.
-enum FlightWord : std::uint64_t { sweeps = 80, rows, lines };
-
-}  // namespace
 
 StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Executor& executor) {
   plan_ = plan;
   plan_.kernels = &snow_kernels(instructions);
-  plan_.reach = longest_snow_hop(plan.longest_mean_hop);
+  draws_.draw_sweeps(plan_.key, plan_.sweeps);
+  draws_.draw_lines(plan_.frame, plan_.key, plan_.longest_mean_hop);
+  plan_.drift = draws_.drift;
+  plan_.reach = draws_.reach;
+  plan_.offsets = draws_.offsets.data();
   plan_.windows =
       static_cast<int>(std::bit_ceil(static_cast<unsigned>((plan_.reach + snow_window - 1) / snow_window + 1)));
-  draw_lines();
-  draw_sweeps();
   const int width = plan_.frame.width;
   strips_.resize(static_cast<std::size_t>((width + snow_lines - 1) / snow_lines));
   const auto count = static_cast<std::int64_t>(strips_.size());
@@ -54,46 +47,6 @@ StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Ex
   }
   report.travel = static_cast<double>(rows_flown);
   return report;
-}
-
-/// Where the lines of this step run. Their drift is a whole number of columns over the grid, right in the mean.
-void SnowFlights::draw_lines() {
-  const WindFrame& frame = plan_.frame;
-  std::int64_t phase = 0;
-  plan_.drift = 0;
-  if (frame.tangent > 0) {
-    const auto tangent_24 = static_cast<std::int64_t>(frame.tangent * 0x1p24);
-    plan_.drift = (frame.length * tangent_24 + random_below(plan_.key, 0, 0, lines, 1u << 24)) >> 24;
-    phase = random_below(plan_.key, 0, 1, lines, static_cast<std::uint32_t>(frame.length));
-  }
-  offsets_.resize(static_cast<std::size_t>(frame.length + plan_.reach + 2));
-  for (int row = -1; row <= frame.length + plan_.reach; ++row) {
-    const std::int32_t offset = line_offset(row, plan_.drift, phase, frame.length);
-    offsets_[static_cast<std::size_t>(row + 1)] = wrap(offset, frame.width);
-  }
-  plan_.offsets = offsets_.data();
-}
-
-/// The sub-sweeps, and as many passes without polls as the longest flight takes.
-void SnowFlights::draw_sweeps() {
-  sweeps_.resize(static_cast<std::size_t>(plan_.sweeps + longest_flight + 1));
-  const auto step_key = static_cast<std::uint32_t>(random_word(plan_.key, 0, 1, sweeps));
-  for (std::size_t number = 0; number < sweeps_.size(); ++number) {
-    SnowSweep& sweep = sweeps_[number];
-    sweep.polls = number < static_cast<std::size_t>(plan_.sweeps);
-    sweep.last = number + 1 == sweeps_.size();
-    sweep.step_key = step_key;
-    sweep.key = static_cast<std::uint32_t>(random_word(plan_.key, number, 0, sweeps));
-    if (!sweep.polls) continue;
-    std::uint8_t polled[256];
-    permute_rows(plan_.key, 0, rows, static_cast<int>(number), plan_.sweeps, polled);
-    std::copy(std::begin(polled), std::end(polled), std::begin(sweep.polled_row));
-  }
-}
-
-/// The last pass is repeated for hops that are longer than the grid.
-const SnowSweep& SnowFlights::sweep_number(std::size_t number) const {
-  return sweeps_[std::min(number, sweeps_.size() - 1)];
 }
 
 /// All sub-sweeps of a strip. Lines that close on themselves bring down all that is in the air.

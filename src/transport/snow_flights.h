@@ -6,6 +6,7 @@
 // waits for another, and a strip stays in a processor's cache for all its sub-sweeps.
 #pragma once
 
+#include "transport/snow_draws.h"
 #include "transport/snow_strip.h"
 
 namespace erg {
@@ -16,18 +17,14 @@ class SnowFlights {
   StepReport fly(SnowFlightPlan plan, InstructionSet instructions, Executor& executor);
 
  private:
-  void draw_lines();
-  void draw_sweeps();
-  /// Whether each line goes on as itself behind the torus edge, or not at all.
-  bool lines_close() const { return plan_.boundary == Boundary::open || plan_.drift % plan_.frame.width == 0; }
-  const SnowSweep& sweep_number(std::size_t number) const;
+  bool lines_close() const { return draws_.lines_close(plan_.frame, plan_.boundary); }
+  const SnowSweep& sweep_number(std::size_t number) const { return draws_.sweeps[draws_.sweep_number(number)]; }
   void fly_strip(SnowStrip& strip);
   void bring_down(Executor& executor);
   bool hand_over();
 
   SnowFlightPlan plan_;
-  std::vector<int> offsets_;
-  std::vector<SnowSweep> sweeps_;  ///< and the passes without polls that may follow
+  SnowDraws draws_;
   std::vector<SnowStrip> strips_;
 };
 

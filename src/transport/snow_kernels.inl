@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "transport/fixed_point.h"
-#include "transport/snow_cell.h"
 #include "transport/snow_sweep.h"
 
 namespace erg {

@@ -1,23 +1,19 @@
 #include "transport/snow_machine.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
-#include "core/errors.h"
+#include "transport/snow_draws.h"
 
 namespace erg {
 namespace {
-
-/// What the random words of a step are for; each has a key space of its own.
-enum SnowWord : std::uint64_t { fall = 62, bonds };
 
 constexpr std::int64_t most_at_once = 4096;  // cells whose heights are looked at together
 
 }  // namespace
 
-StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, Radii radii, double shadow_fall,
-                             const WindNow& wind, StepKey key, Executor& executor) {
+StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, SnowRadii radii,
+                             double shadow_fall, const WindNow& wind, StepKey key, Executor& executor) {
   law_ = &law;
   executor_ = &executor;
   layers_ = &layers;
@@ -30,6 +26,9 @@ StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw
   report_ = {};
   bedrock_ = terrain.bedrock().cells().data();
   mobile_ = terrain.edit_mobile().cells().data();
+  ground_ = {
+      frame_.width, frame_.length, boundary_ == Boundary::torus, frame_.origin,       frame_.step_u, frame_.step_v,
+      bedrock_,     mobile_,       layers.loose.data(),          layers.landed.data()};
   measure_heights();
   measure_weather(shadow_fall);
   if (executor.sub_sweeps() == 0) {
@@ -69,12 +68,7 @@ void SnowMachine::measure_heights() {
   low_ = all.lowest;
   high_ = all.highest;
   relief_ = all.uneven != 0;
-  if (all.most_snow > highest_terrain || high_ - low_ > highest_terrain) {
-    throw InputError("terrain",
-                     "it has grown to " + std::to_string(std::max<std::int32_t>(all.most_snow, high_ - low_)) +
-                         " slabs, more than " + std::to_string(highest_terrain),
-                     "use a larger slab height or less snow");
-  }
+  check_snow_height(all.most_snow, high_ - low_);
   height_.resize(cells);
   executor_->for_pieces(static_cast<std::int64_t>(cells), [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t at = begin; at < end; at += most_at_once) {
@@ -82,16 +76,6 @@ void SnowMachine::measure_heights() {
                     static_cast<int>(std::min(most_at_once, end - at)));
     }
   });
-}
-
-/// Folds a place over the torus; false where it lies beyond an open edge.
-bool SnowMachine::inside(int& u, int& v) const {
-  const bool within = u >= 0 && u < frame_.width && v >= 0 && v < frame_.length;
-  if (within) return true;
-  if (boundary_ == Boundary::open) return false;
-  u = wrap(u, frame_.width);
-  v = wrap(v, frame_.length);
-  return true;
 }
 
 // --- flights ---
@@ -123,22 +107,16 @@ void SnowMachine::fly_in_sweeps() {
 /// Snow falls at random and comes to lie on the lowest of nine cells.
 void SnowMachine::let_snow_fall() {
   if (law_->snowfall <= 0) return;
-  const std::uint64_t base = random_word(key_, 0, 0, fall);
+  const std::uint64_t base = snowfall_word(key_);
   fallen_.clear();
   executor_->for_pieces(frame_.width, [&](std::int64_t begin, std::int64_t end) {
     std::vector<std::uint32_t> fallen;
     for (int u = static_cast<int>(begin); u < end; ++u) {
       for (int v = 0; v < frame_.length; ++v) {
-        const std::uint64_t word = cell_word(base, number(u, v));
-        const int slabs = static_cast<int>(law_->snowfall + unit_24(static_cast<std::uint32_t>(word)));
+        const std::uint64_t word = snow_cell_word(base, ground_.number(u, v));
+        const int slabs = falling_slabs(*law_, word);
         if (slabs == 0) continue;
-        std::size_t lowest = cell(u, v);
-        for (int k = 0; k < 9; ++k) {
-          const int turned = (k + static_cast<int>(word >> 32 & 0xff)) % 9;
-          int near_u = u + turned / 3 - 1;
-          int near_v = v + turned % 3 - 1;
-          if (inside(near_u, near_v) && surface(cell(near_u, near_v)) < surface(lowest)) lowest = cell(near_u, near_v);
-        }
+        const std::size_t lowest = lowest_of_nine(ground_, u, v, word);
         fallen.insert(fallen.end(), static_cast<std::size_t>(slabs), static_cast<std::uint32_t>(lowest));
       }
     }
@@ -157,7 +135,7 @@ void SnowMachine::let_snow_fall() {
 
 /// Loose snow bonds from below; bonded snow grows older.
 void SnowMachine::rest() {
-  const auto key = static_cast<std::uint32_t>(random_word(key_, 0, 0, bonds));
+  const std::uint32_t key = bonding_key(key_);
   const auto nx = static_cast<std::size_t>(extent_.nx);
   const std::int64_t next_by_v = frame_.step_v > 0 ? 1 : -1;
   const std::int64_t next_by_u = frame_.step_u > 0 ? frame_.length : -frame_.length;

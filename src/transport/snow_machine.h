@@ -16,6 +16,8 @@
 #include "transport/executor.h"
 #include "transport/snow_cell.h"
 #include "transport/snow_flights.h"
+#include "transport/snow_ground.h"
+#include "transport/snow_step.h"
 #include "wind/wind_frame.h"
 
 namespace erg {
@@ -33,13 +35,8 @@ class SnowMachine {
  public:
   explicit SnowMachine(InstructionSet instructions = best_instruction_set()) : instructions_(instructions) {}
 
-  /// Cells from the middle to the edge of the boxes over which means are taken.
-  struct Radii {
-    int smooth = 3;   ///< for the smoothed surface
-    int around = 10;  ///< for its surroundings
-  };
   /// One time step. `shadow_fall`: slabs a cell. Throws InputError if the snow has grown too high to be counted.
-  StepReport step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, Radii radii, double shadow_fall,
+  StepReport step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, SnowRadii radii, double shadow_fall,
                   const WindNow& wind, StepKey key, Executor& executor);
 
  private:
@@ -75,14 +72,8 @@ class SnowMachine {
   void rest();
 
   std::size_t cell(int u, int v) const { return frame_.cell(u, v); }
-  std::uint64_t number(int u, int v) const {
-    return static_cast<std::uint64_t>(u) * static_cast<std::uint64_t>(frame_.length) + static_cast<std::uint64_t>(v);
-  }
-  static std::uint64_t cell_word(std::uint64_t word, std::uint64_t number) {
-    return mix64(word + 0x9e3779b97f4a7c15u * (number + 1));
-  }
-  bool along_x() const { return frame_.step_v == 1 || frame_.step_v == -1; }
-  bool inside(int& u, int& v) const;
+  /// Whether the wind's frame runs along the terrain's rows. In a grid of one column its steps do not tell.
+  bool along_x() const { return (frame_.step_v == 1 || frame_.step_v == -1) && frame_.length == extent_.nx; }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(extent_.nx) + static_cast<std::size_t>(x);
   }
@@ -103,8 +94,9 @@ class SnowMachine {
   Extent extent_;
   Boundary boundary_ = Boundary::torus;
   double inflow_ = 0;
-  Radii radii_;
+  SnowRadii radii_;
   WindFrame frame_;
+  SnowGround ground_;
   StepKey key_;
   StepReport report_;
 

@@ -27,7 +27,7 @@ void SnowMachine::fly_one_by_one() {
   for (const std::uint32_t number : order_) {
     const int u = static_cast<int>(number / static_cast<std::uint32_t>(frame_.length));
     const int v = static_cast<int>(number % static_cast<std::uint32_t>(frame_.length));
-    poll({u, v}, cell_word(base, number));
+    poll({u, v}, snow_cell_word(base, number));
   }
 }
 
@@ -74,7 +74,7 @@ void SnowMachine::fly(Place place, std::uint64_t word, bool enters) {
     while (row < rows) {
       int u = first_u + static_cast<int>(((flown + row + 1) * tangent_24 + sideways) >> 24);
       int v = place.v + 1;
-      if (!inside(u, v)) return leave(flown + row);
+      if (!ground_.fold(u, v)) return leave(flown + row);
       if (bedrock_[cell(u, v)] - surface(here) > law.wall) {
         flown += row;
         return land(here);
@@ -117,7 +117,7 @@ void SnowMachine::let_drift_enter() {
   const std::uint64_t base = random_word(key_, 0, 0, drift);
   std::uint64_t count = 0;
   const auto enter = [&](int u, int v, double rate) {
-    std::uint64_t word = cell_word(base, count++);
+    std::uint64_t word = snow_cell_word(base, count++);
     const int slabs = static_cast<int>(rate + static_cast<double>(word >> 11) * 0x1.0p-53);
     for (int slab = 0; slab < slabs; ++slab) {
       word = mix64(word);

@@ -3,25 +3,22 @@
 #include <atomic>
 #include <utility>
 
+#include "transport/snow_draws.h"
 #include "transport/snow_machine.h"
 
 namespace erg {
 namespace {
 
-constexpr std::uint64_t slides = 64;  // what the random words of a step are for
-constexpr int slide_rounds = 2;
 constexpr int cells_at_once = 64;  // that are looked over for steep edges together
 
 }  // namespace
 
 void SnowMachine::slide() {
   find_steep();
-  for (std::uint64_t round = 0; round < slide_rounds; ++round) {
-    std::uint32_t order[4] = {0, 1, 2, 3};
-    for (std::uint32_t last = 3; last > 0; --last) {
-      std::swap(order[last], order[random_below(key_, round, last, slides, last + 1)]);
-    }
-    for (const std::uint32_t kind : order) slide_class(kind < 2, static_cast<int>(kind & 1));
+  for (int round = 0; round < snow_slide_rounds; ++round) {
+    SnowEdges order[4];
+    draw_snow_slides(key_, round, order);
+    for (const SnowEdges& edges : order) slide_class(edges.along, edges.odd);
   }
 }
 
@@ -117,18 +114,7 @@ std::uint64_t SnowMachine::steep_edges(std::size_t a, std::size_t b, int count) 
 }
 
 void SnowMachine::slide_edge(int x, int y, int other_x, int other_y) {
-  const std::size_t a = index(x, y);
-  const std::size_t b = index(other_x, other_y);
-  const std::int32_t difference = surface(a) - surface(b);
-  if (difference <= law_->standing && -difference <= law_->standing) return;
-  const std::size_t from = difference > 0 ? a : b;
-  const std::size_t to = difference > 0 ? b : a;
-  if (layers_->loose[from] <= 0) return;
-  --mobile_[from];
-  --layers_->loose[from];
-  ++mobile_[to];
-  ++layers_->loose[to];
-  layers_->landed[to] = law_->now;
+  if (!slide_snow(ground_, index(x, y), index(other_x, other_y), *law_)) return;
   mark_steep(x, y);
   mark_steep(other_x, other_y);
 }

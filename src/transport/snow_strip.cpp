@@ -8,15 +8,7 @@
 namespace erg {
 namespace {
 
-constexpr std::int16_t over_wall = 0x7fff;  // higher than any slab flies
-constexpr std::uint32_t golden = 0x9e3779b9u;
-
 std::uint64_t bit(int line) { return std::uint64_t{1} << line; }
-
-std::uint32_t chance(float share) { return static_cast<std::uint32_t>(std::clamp(share, 0.0f, 1.0f) * 65536); }
-
-/// A further random word.
-std::uint32_t next(std::uint32_t word) { return mix32(word + 0x85ebca6bu); }
 
 }  // namespace
 
@@ -184,16 +176,12 @@ void SnowStrip::sweep(const SnowSweep& sweep) {
 }
 
 SnowLandings SnowStrip::landings_of(const SnowSweep& sweep) {
-  const SnowLaw& law = *plan_.law;
   SnowLandings landings;
-  landings.law = &law;
+  landings.law = plan_.law;
   landings.lines = lines_of();
   landings.ground = plan_.relief ? ground_.data() : nullptr;
   landings.upwind = upwind_;
-  landings.rest_loose = chance(law.rest_loose);
-  landings.rest_hard = chance(law.rest_hard);
-  landings.rest_ground = chance(law.rest_ground);
-  landings.suspension = chance(law.suspension);
+  landings.rests = snow_rests(*plan_.law);
   landings.last = sweep.last;
   landings.offsets = plan_.offsets + 1;
   landings.width = plan_.frame.width;
@@ -211,8 +199,7 @@ void SnowStrip::lift(int begin, int end, const SnowSweep& sweep, const std::uint
   SnowPolls polls;
   polls.first_row = begin;
   polls.rows = end - begin;
-  // One permutation of a block's rows for all sub-sweeps of the step, but chances of their own.
-  polls.key = mix32(sweep.step_key + static_cast<std::uint32_t>(begin) * golden);
+  polls.key = snow_poll_key(sweep, begin);
   polls.chance_key = sweep.key;
   polls.polled_row = sweep.polled_row;
   polls.row_words = row_words;
@@ -304,6 +291,10 @@ void SnowStrip::hold_back(std::uint64_t crossing, SnowLifts& lifts) {
 void SnowStrip::cross_open_side(const SnowLandings& landings, const std::uint64_t* row_words, int begin, int end,
                                 const SnowSweep& sweep, SnowAir& air) {
   for (int line = 0; line < lines_; ++line) {
+    if (begin > 0 && entering_line(begin) == line) {
+      drop_out(begin, line);
+      enter(begin, line, sweep);
+    }
     for (int first = begin; first < end && (find_crossing(begin, end) & bit(line)) != 0;) {
       int next = first + 1;
       while (next < end && entering_line(next) != line) ++next;
@@ -324,15 +315,12 @@ void SnowStrip::cross_open_side(const SnowLandings& landings, const std::uint64_
 
 void SnowStrip::enter(int row, int line, const SnowSweep& sweep) {
   if (plan_.inflow <= 0 || !sweep.polls) return;
-  std::uint32_t word = mix32(sweep.key ^ mix32(static_cast<std::uint32_t>(first_ + line) * golden + 1));
-  const auto slabs = static_cast<int>(plan_.inflow / plan_.sweeps + static_cast<double>(unit_24(word >> 8)));
+  std::uint32_t word = entering_word(sweep, first_ + line);
+  const int slabs = entering_slabs(plan_.inflow, plan_.sweeps, word);
   const SnowCell& cell = cells_[at(row, line)];
   for (int slab = 0; slab < slabs; ++slab) {
-    // Where in its hop a slab crosses the edge is random.
-    word = next(word);
-    const std::uint32_t part = mean_hop_64(cell.hops) * (word >> 16) >> 16;
-    const int hop = mean_hop_64(cell.hops) > 0 ? snow_hop_rows(part, next(word ^ golden)) : 0;
-    const int rows = std::min<int>(hop, cell.run);
+    word = next_snow_word(word);
+    const int rows = entering_rows(cell, word);
     receive(line, row + rows, one_slab + whole_hop);
     counts_.rows_flown += rows;
   }

@@ -34,20 +34,11 @@ struct SnowFlightPlan {
   Grid<std::int32_t>* lift_counts = nullptr;  ///< Executor::lift_counts
 
   // Filled in by SnowFlights.
-  std::int64_t drift = 0;        ///< columns that a line moves over the length of the grid
-  int reach = 1;                 ///< rows of the longest hop
+  std::int64_t drift = 0;  ///< SnowDraws
+  int reach = 1;
   int windows = 2;               ///< of rows in which slabs may be in the air, a power of two
-  const int* offsets = nullptr;  ///< column of line 0 in each row from -1 to length + reach
+  const int* offsets = nullptr;  ///< SnowDraws
   const SnowKernels* kernels = nullptr;
-};
-
-/// What is drawn for one sub-sweep.
-struct SnowSweep {
-  bool polls = true;
-  bool last = false;           ///< whatever comes down stays
-  std::uint32_t step_key = 0;  ///< the same for all sub-sweeps of a step
-  std::uint32_t key = 0;
-  std::uint32_t polled_row[256] = {};  ///< of a block of K rows, for each random byte
 };
 
 class SnowStrip {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "transport/executor.h"
-#include "transport/snow_cell.h"
+#include "transport/snow_flight_cell.h"
 
 namespace erg {
 
@@ -95,15 +95,6 @@ struct SnowRestRow {
 /// Most lines of a strip.
 inline constexpr int snow_lines = 64;
 
-/// A cell of a strip, held together because a slab that lifts or comes down needs all of it.
-struct SnowCell {
-  std::uint32_t snow = 0;     ///< snow_word
-  std::uint32_t chances = 0;  ///< SnowWeather
-  std::uint32_t hops = 0;
-  std::int16_t run = 0;     ///< rows that a slab can fly from here before higher ground ends its hop
-  std::int16_t landed = 0;  ///< 1: a slab has come to rest here in this step
-};
-
 /// A strip's cells as the kernels see them.
 struct SnowLines {
   SnowCell* cells = nullptr;  ///< of row 0, line 0
@@ -120,7 +111,7 @@ inline constexpr int snow_window = 64;
 struct SnowPolls {
   int first_row = 0;
   int rows = 0;
-  std::uint32_t key = 0;                      ///< of the choice of rows
+  std::uint32_t key = 0;                      ///< snow_poll_key
   std::uint32_t chance_key = 0;               ///< of the chances to lift
   const std::uint32_t* polled_row = nullptr;  ///< 256 rows, one for each random byte
   const std::uint64_t* row_words = nullptr;   ///< flight_row_word of each row
@@ -148,8 +139,6 @@ struct SnowLifts {
   alignas(64) std::uint64_t load[snow_lines];
   alignas(64) std::uint64_t bit[snow_lines];
 };
-inline constexpr std::uint64_t one_slab = std::uint64_t{1} << 32;
-inline constexpr std::uint32_t whole_hop = 256;  ///< share of a hop that is flown
 
 /// What becomes of slabs that come down, in a sub-sweep.
 struct SnowLandings {
@@ -157,10 +146,7 @@ struct SnowLandings {
   SnowLines lines;
   const std::int32_t* ground = nullptr;  ///< bedrock of each cell of the strip; null where it is level
   const std::int32_t* upwind = nullptr;  ///< surface of each line in the row before the first
-  std::uint32_t rest_loose = 0;          ///< chances of 65536
-  std::uint32_t rest_hard = 0;
-  std::uint32_t rest_ground = 0;
-  std::uint32_t suspension = 0;
+  SnowRests rests;
   bool last = false;  ///< whatever comes down stays
   // Where a cell stands in the terrain.
   const int* offsets = nullptr;  ///< column of line 0 in each row, from row 0 on
@@ -219,7 +205,6 @@ struct SnowKernels {
   BoxKernels<std::uint32_t> boxes;
   BoxKernels<std::uint64_t> wide_boxes;
 };
-inline constexpr std::int16_t unhindered_run = 0x7fff;
 
 const SnowKernels& snow_kernels(InstructionSet set);
 

@@ -111,25 +111,21 @@ void SnowMachine::find_shadow(double shadow_fall) {
 void SnowMachine::shade_lines(int first, int lines, double shadow_fall) {
   const bool open = boundary_ == Boundary::open;
   const SnowKernels& kernels = snow_kernels(instructions_);
-  const auto fall = [](double slabs) {  // one that is longer than any snow is high shades nothing
-    return static_cast<std::int32_t>(std::min<std::int64_t>(fixed_point(slabs), -no_shadow));
+  const SnowShadow shadow = snow_shadow(shadow_fall, frame_.tangent, frame_.cosine, open, frame_.length, high_ - low_);
+  const auto bounded = [](std::int64_t fall) {  // one that is longer than any snow is high shades nothing
+    return static_cast<std::int32_t>(std::min<std::int64_t>(fall, -no_shadow));
   };
-  const auto tangent_24 = static_cast<std::int64_t>(frame_.tangent * 0x1p24);
-  // Rows before the first one from which a shadow can still reach over the torus edge.
-  const double reach = static_cast<double>(high_ - low_) * frame_.cosine / std::max(shadow_fall, 1e-6) + 3;
-  const int limit = 2 * frame_.length;
-  const int start = open ? 0 : -(reach < limit ? static_cast<int>(reach) : limit);
   std::int32_t far[snow_lines];
   std::int32_t near[snow_lines];
   std::fill(std::begin(far), std::end(far), no_shadow);
   std::fill(std::begin(near), std::end(near), no_shadow);
   ShadowTile tile;
   int end = 0;
-  for (int begin = start; begin < frame_.length; begin = end) {
+  for (int begin = shadow.start; begin < frame_.length; begin = end) {
     end = std::min({begin + rows_at_once, begin < 0 ? 0 : frame_.length, frame_.length});
-    const auto moved = [&](int row) { return (row * tangent_24 + (std::int64_t{1} << 23)) >> 24; };
-    tile.first_u = wrap(static_cast<int>(first + moved(begin)), frame_.width);
-    for (int row = begin; row < end; ++row) tile.drifted[row - begin] = static_cast<int>(moved(row) - moved(begin));
+    tile.first_u = wrap(static_cast<int>(first + shadow.sideways(begin)), frame_.width);
+    for (int row = begin; row < end; ++row)
+      tile.drifted[row - begin] = static_cast<int>(shadow.sideways(row) - shadow.sideways(begin));
     for_tile(begin, end, lines, tile, [&](int k, int line, std::size_t cell, std::ptrdiff_t step, int count) {
       const std::uint16_t* from = height_.data() + cell;
       if (along_x()) {
@@ -145,7 +141,7 @@ void SnowMachine::shade_lines(int first, int lines, double shadow_fall) {
         far[entering] = near[entering] = no_shadow;  // it enters over the side, or begins here
       }
       kernels.shade(
-          {lines, fall(shadow_fall / frame_.cosine), fall(shadow_fall), tile.height[k], far, near, tile.dark[k]});
+          {lines, bounded(shadow.fall_far), bounded(shadow.fall_near), tile.height[k], far, near, tile.dark[k]});
     }
     if (begin < 0) continue;
     for_tile(begin, end, lines, tile, [&](int k, int line, std::size_t cell, std::ptrdiff_t step, int count) {

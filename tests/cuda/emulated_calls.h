@@ -112,6 +112,12 @@ class EmulatedCalls : public DeviceCalls {
   Status launch(DeviceKernel kernel, int blocks, const DevicePlan& plan, void*) override {
     return start(emulated::kernel_of(kernel), blocks, plan);
   }
+  Status launch(LayerKernel kernel, int blocks, const LayerPlan& plan, void*) override {
+    return start(emulated::kernel_of(kernel), blocks, plan);
+  }
+  Status launch(SnowKernel kernel, int blocks, const SnowPlan& plan, void*) override {
+    return start(emulated::kernel_of(kernel), blocks, plan);
+  }
   Status launch(GrainKernel kernel, int blocks, const GrainPlan& plan, void*) override {
     return start(emulated::kernel_of(kernel), blocks, plan);
   }

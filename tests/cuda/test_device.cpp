@@ -4,6 +4,7 @@
 #include "cases.h"
 #include "cuda/cuda_executor.h"
 #include "grain_cases.h"
+#include "snow_cases.h"
 
 namespace erg::test {
 namespace {
@@ -34,6 +35,24 @@ TEST(CudaDevice, GivesTheSameBitsForGrains) {
   scenes.push_back({"large", {.model = "grains", .extent = {517, 390}, .wind = {240, 7}, .sand = 40}, 1000, 8});
   for (const GrainCase& scene : scenes) {
     CudaExecutor executor({.name = "cuda", .threads = 2}, cuda_calls());
+    if (executor.name() != "cuda") GTEST_SKIP() << executor.take_notice();
+    expect_same_as_threads(scene, executor);
+  }
+}
+
+TEST(CudaDevice, GivesTheSameBitsForSnow) {
+  std::vector<SnowCase> scenes = snow_cases();
+  for (const double bearing : {270.0, 240.0}) {
+    SnowCase large = scenes.front();
+    large.name = "large, bearing " + std::to_string(bearing);
+    large.world.extent = {700, 520};
+    large.world.wind.bearing = bearing;
+    large.rocks = 60;
+    large.steps = 40;
+    scenes.push_back(large);
+  }
+  for (const SnowCase& scene : scenes) {
+    CudaExecutor executor(scene.options(), cuda_calls());
     if (executor.name() != "cuda") GTEST_SKIP() << executor.take_notice();
     expect_same_as_threads(scene, executor);
   }

@@ -1,0 +1,272 @@
+#include "cuda/device_snow.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "transport/box_mean.h"
+
+namespace erg {
+namespace {
+
+float* floats(const DeviceLayer& layer) { return reinterpret_cast<float*>(layer.data()); }
+
+/// Makes room for `count` values at least: what depends on the wind shall not be allocated anew with every gust.
+template <typename T>
+void reserve(Device& device, DeviceArray<T>& array, std::size_t count) {
+  if (array.size() < count) device.fit(array, count);
+}
+
+void write(const std::vector<std::int32_t>& bits, Grid<float>& layer) {
+  std::ranges::transform(bits, layer.cells().begin(), [](std::int32_t word) { return std::bit_cast<float>(word); });
+}
+
+}  // namespace
+
+// --- in and out ---
+
+void DeviceSnow::allocate(std::size_t cells) {
+  layers_.fit(cells);
+  for (DeviceLayer* layer : {&bedrock_, &mobile_, &loose_, &age_, &landed_, &strength_}) device_.fit(*layer, cells);
+  device_.fit(lifted_, 0);
+  device_.fit(law_, 1);
+  device_.fit(bounds_, snow_bounds);
+  device_.fit(heights_, cells);
+  device_.fit(columns_, cells);
+  device_.fit(sums_, cells);
+  device_.fit(level_, cells);
+  device_.fit(around_, cells);
+  device_.fit(dark_, cells);
+  device_.fit(cells_, cells);
+  device_.fit(over_, cells);
+  device_.fit(left_, 1);
+  device_.fit(tally_, static_cast<std::size_t>(tally_slots) * tallies);
+}
+
+void DeviceSnow::load(const Terrain& terrain, const WindFrame& frame) {
+  const auto bedrock = terrain.bedrock().cells();
+  const auto mobile = terrain.mobile().cells();
+  const auto layer = [&](SnowLayer which) { return snow_layer(terrain.fields(), which).cells(); };
+  const auto [lowest, highest] = std::ranges::minmax_element(bedrock);
+  frame_ = frame;
+  base_ = *lowest;
+  relief_ = *lowest != *highest;
+  strength_shown_ = false;
+  allocate(terrain.extent().cells());
+  layers_.lay(bedrock_, frame, [&](std::size_t cell) { return bedrock[cell]; });
+  layers_.lay(mobile_, frame, [&](std::size_t cell) { return mobile[cell]; });
+  layers_.lay(loose_, frame, [&, bonded = layer(SnowLayer::bonded)](std::size_t cell) {
+    return loose_slabs(mobile[cell], bonded[cell]);
+  });
+  layers_.lay(age_, frame,
+              [age = layer(SnowLayer::age)](std::size_t cell) { return std::bit_cast<std::int32_t>(age[cell]); });
+  layers_.lay(landed_, frame, [landed = layer(SnowLayer::landed)](std::size_t cell) {
+    return std::bit_cast<std::int32_t>(landed[cell]);
+  });
+}
+
+void DeviceSnow::turn(const WindFrame& frame) {
+  layers_.turn({&bedrock_, &mobile_, &loose_, &age_, &landed_, &strength_}, frame_, frame);
+}
+
+void DeviceSnow::settle(Terrain& terrain) {
+  const std::vector<std::int32_t> mobile = layers_.bring_back(mobile_, frame_);
+  const std::vector<std::int32_t> loose = layers_.bring_back(loose_, frame_);
+  const std::vector<std::int32_t> age = layers_.bring_back(age_, frame_);
+  const std::vector<std::int32_t> landed = layers_.bring_back(landed_, frame_);
+  std::vector<std::int32_t> strength;
+  if (strength_shown_) strength = layers_.bring_back(strength_, frame_);
+  // Only now that nothing can fail any more: the layers must not be half new.
+  std::ranges::copy(mobile, terrain.edit_mobile().cells().begin());
+  std::vector<Field>& fields = terrain.edit_fields();
+  Grid<float>& loose_layer = snow_layer(fields, SnowLayer::loose);
+  Grid<float>& bonded_layer = snow_layer(fields, SnowLayer::bonded);
+  for (std::size_t cell = 0; cell < loose.size(); ++cell) {
+    loose_layer[cell] = static_cast<float>(loose[cell]);
+    bonded_layer[cell] = static_cast<float>(mobile[cell] - loose[cell]);
+  }
+  write(age, snow_layer(fields, SnowLayer::age));
+  write(landed, snow_layer(fields, SnowLayer::landed));
+  if (strength_shown_) write(strength, snow_layer(fields, SnowLayer::strength));
+}
+
+// --- steps ---
+
+StepReport DeviceSnow::step(const Terrain& terrain, const SnowStep& snow, const WindFrame& frame, StepKey key,
+                            Grid<std::int32_t>* lift_counts) {
+  if (!frame_.same_axes(frame)) turn(frame);
+  frame_ = frame;
+  device_.send(law_.data(), &snow.law, 1);
+  device_.fill(tally_.data(), 0, tally_.bytes());
+  SnowPlan plan = step_plan(terrain, snow, key);
+  count_lifts(plan, lift_counts != nullptr);
+  measure(plan, snow.radii);
+  draws_.draw_sweeps(key, sweeps_);  // while the device is busy
+  const std::vector<std::uint32_t> bounds = device_.fetch(bounds_.data(), snow_bounds);
+  check_snow_height(static_cast<std::int32_t>(bounds[bound_snow]),
+                    static_cast<std::int32_t>(bounds[bound_highest] - ~bounds[bound_not_lowest]));
+  send_draws(plan, bounds[bound_hop], key);
+  fly(plan);
+  slide(plan, key);
+  rest(plan, snow);
+  const SlabCounts counts = read_counts(device_, tally_);
+  if (lift_counts != nullptr) {
+    const std::vector<std::int32_t> lifts = layers_.bring_back(lifted_, frame_);
+    for (std::size_t cell = 0; cell < lifts.size(); ++cell) (*lift_counts)[cell] += lifts[cell];
+  }
+  StepReport report;
+  report.polls = cells();
+  report.lifts = counts.of[tally_lifts];
+  report.travel = static_cast<double>(counts.of[tally_rows]) / frame_.cosine;
+  report.slabs_in = counts.of[tally_in];
+  report.slabs_out = counts.of[tally_out];
+  return report;
+}
+
+SnowPlan DeviceSnow::step_plan(const Terrain& terrain, const SnowStep& snow, StepKey key) {
+  SnowPlan plan;
+  plan.ground.width = frame_.width;
+  plan.ground.length = frame_.length;
+  plan.ground.torus = terrain.boundary() == Boundary::torus;
+  plan.ground.step_v = frame_.width;
+  plan.ground.bedrock = bedrock_.data();
+  plan.ground.mobile = mobile_.data();
+  plan.ground.loose = loose_.data();
+  plan.ground.landed = floats(landed_);
+  plan.base = base_;
+  plan.age = floats(age_);
+  plan.strength = floats(strength_);
+  plan.law = law_.data();
+  plan.tally = tally_.data();
+  plan.bounds = bounds_.data();
+  plan.heights = heights_.data();
+  plan.columns = columns_.data();
+  plan.sums = sums_.data();
+  plan.level = level_.data();
+  plan.around = around_.data();
+  plan.dark = dark_.data();
+  plan.shadow_fall = snow.shadow_fall;
+  plan.tangent = frame_.tangent;
+  plan.cosine = frame_.cosine;
+  // Half the difference of two neighbours is the slope in slabs a cell.
+  plan.along = static_cast<float>(0.5 * frame_.cosine * snow.law.slope_scale);
+  plan.across = static_cast<float>(0.5 * frame_.tangent * frame_.cosine * snow.law.slope_scale);
+  plan.cells = cells_.data();
+  plan.over = over_.data();
+  plan.left = left_.data();
+  plan.inflow = plan.ground.torus ? 0 : terrain.inflow();
+  plan.rests = snow_rests(snow.law);
+  plan.order = terrain_order(frame_);
+  plan.nx = terrain.nx();
+  plan.fall_word = snowfall_word(key);
+  plan.bonding_key = bonding_key(key);
+  return plan;
+}
+
+void DeviceSnow::count_lifts(SnowPlan& plan, bool wanted) {
+  if (!wanted) return;
+  device_.fit(lifted_, mobile_.size());
+  device_.fill(lifted_.data(), 0, lifted_.bytes());
+  plan.lift_counts = lifted_.data();
+}
+
+// --- weather ---
+
+void DeviceSnow::measure(SnowPlan& plan, const SnowRadii& radii) {
+  device_.fill(bounds_.data(), 0, bounds_.bytes());
+  launch(SnowKernel::measure, plan);
+  take_means(plan, radii.around, false, around_.data());
+  take_means(plan, radii.smooth, true, level_.data());
+  const std::int64_t pieces = (frame_.length + shadow_rows - 1) / shadow_rows;
+  device_.launch(SnowKernel::shadow, pieces * frame_.width, plan);
+  launch(SnowKernel::weather, plan);
+}
+
+/// Means over boxes; `twice`: the means of these means.
+void DeviceSnow::take_means(SnowPlan plan, int radius, bool twice, float* means) {
+  plan.radius = radius;
+  plan.share = box_share(radius, twice);
+  plan.means = means;
+  launch(SnowKernel::sum_heights, plan);
+  if (twice) {
+    launch(SnowKernel::sum_rows, plan);
+    launch(SnowKernel::sum_columns, plan);
+  }
+  launch(SnowKernel::average_rows, plan);
+}
+
+// --- flights ---
+
+void DeviceSnow::send_draws(SnowPlan& plan, std::uint32_t longest_mean_hop, StepKey key) {
+  draws_.draw_lines(frame_, key, longest_mean_hop);
+  reserve(device_, offsets_, draws_.offsets.size());
+  device_.send(offsets_.data(), draws_.offsets.data(), draws_.offsets.size());
+  device_.fit(drawn_, draws_.sweeps.size());
+  device_.send(drawn_.data(), draws_.sweeps.data(), draws_.sweeps.size());
+  plan.offsets = offsets_.data();
+  plan.sweeps = drawn_.data();
+  plan.polling = sweeps_;
+  plan.last_sweep = static_cast<int>(draws_.sweeps.size()) - 1;
+  plan.reach = draws_.reach;
+  plan.ring_mask = draws_.ring_rows - 1;
+  plan.drift = draws_.drift;
+  plan.closes = draws_.lines_close(frame_, plan.ground.torus ? Boundary::torus : Boundary::open);
+  const std::size_t waiting = static_cast<std::size_t>(draws_.ring_rows) * static_cast<std::size_t>(frame_.width);
+  reserve(device_, ring_, waiting);
+  device_.fill(ring_.data(), 0, waiting * sizeof(std::uint64_t));
+  plan.ring = ring_.data();
+  if (plan.closes) return;
+  reserve(device_, aloft_, waiting);
+  device_.fill(aloft_.data(), 0, waiting * sizeof(std::uint64_t));
+  device_.fill(left_.data(), 0, left_.bytes());
+  plan.aloft = aloft_.data();
+}
+
+/// All sub-sweeps; where lines go on as others, pass after pass until nothing is in the air.
+void DeviceSnow::fly(SnowPlan plan) {
+  if (relief_) launch(SnowKernel::find_walls, plan);
+  launch(SnowKernel::find_runs, plan);
+  device_.launch(SnowKernel::fly, frame_.width, plan);
+  for (auto number = static_cast<std::size_t>(sweeps_); !plan.closes; ++number) {
+    if (device_.fetch(left_.data(), 1).front() == 0) break;
+    device_.fill(left_.data(), 0, left_.bytes());
+    std::swap(plan.ring, plan.aloft);  // the first is empty by now
+    plan.sweep = static_cast<int>(draws_.sweep_number(number));
+    device_.launch(SnowKernel::bring_down, frame_.width, plan);
+  }
+  launch(SnowKernel::store, plan);
+}
+
+// --- slides and rest ---
+
+void DeviceSnow::slide(SnowPlan plan, StepKey key) {
+  for (int round = 0; round < snow_slide_rounds; ++round) {
+    SnowEdges order[4];
+    draw_snow_slides(key, round, order);
+    for (const SnowEdges& edges : order) slide_class(plan, edges);
+  }
+}
+
+void DeviceSnow::slide_class(SnowPlan& plan, const SnowEdges& edges) {
+  const int count = edges.along ? frame_.length : frame_.width;
+  const int places = edges.along ? frame_.width : frame_.length;
+  plan.edges = {edges.along, edges.odd, (count - edges.odd) / 2, false};
+  if (plan.edges.count > 0) device_.launch(SnowKernel::slide, std::int64_t{plan.edges.count} * places, plan);
+  if (edges.odd == 0 || !plan.ground.torus || count <= 2) return;
+  plan.edges = {edges.along, edges.odd, 1, true};
+  device_.launch(SnowKernel::slide, places, plan);
+}
+
+void DeviceSnow::rest(SnowPlan& plan, const SnowStep& snow) {
+  if (snow.law.snowfall > 0) {
+    plan.fallen = layers_.staged().data();
+    device_.fill(plan.fallen, 0, layers_.staged().bytes());
+    launch(SnowKernel::fall, plan);
+  }
+  launch(SnowKernel::rest, plan);
+  if (!snow.shows_strength) return;
+  launch(SnowKernel::show_strength, plan);
+  strength_shown_ = true;
+}
+
+}  // namespace erg

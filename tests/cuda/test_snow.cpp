@@ -1,0 +1,191 @@
+// Sintering snow under the CUDA executor, its kernels run on the processor: the same bits as on threads, and what
+// becomes of it when a call of the runtime fails.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/errors.h"
+#include "cuda/snow_plan.h"
+#include "emulated_calls.h"
+#include "snow_cases.h"
+#include "transport/snow_step.h"
+
+namespace erg::test {
+namespace {
+
+std::unique_ptr<CudaExecutor> emulated(const std::shared_ptr<Card>& card, int sweeps = 2) {
+  return std::make_unique<CudaExecutor>(ExecutorOptions{.name = "cuda", .threads = 1, .sweeps = sweeps},
+                                        std::make_unique<EmulatedCalls>(card));
+}
+
+TEST(CudaSnow, GivesTheSameBitsAsThreads) {
+  for (const SnowCase& scene : snow_cases()) {
+    for (const std::uint64_t shuffle : {1u, 2u}) {
+      const auto card = std::make_shared<Card>();
+      card->shuffle = shuffle;
+      card->threads = static_cast<int>(shuffle);
+      card->block = shuffle == 1 ? 64 : 33;
+      expect_same_as_threads(scene, *emulated(card, scene.sweeps));
+    }
+  }
+}
+
+/// Without this the cases would prove little: snow lifts, comes in, is carried off, bonds and comes free in them, and
+/// their flights cross edges.
+TEST(CudaSnow, ItsCasesHaveEverythingHappen) {
+  double loose = 0;
+  for (const SnowCase& scene : snow_cases()) {
+    if (scene.world.extent.cells() < 100) continue;
+    const auto card = std::make_shared<Card>();
+    const auto executor = emulated(card, scene.sweeps);
+    Terrain terrain = ground(scene);
+    const StepReport report = scene.world.run(terrain, *executor, scene.steps);
+    EXPECT_GT(report.lifts, 10) << scene.name;
+    EXPECT_GT(report.travel, 20) << scene.name;
+    const auto total = [&](SnowLayer layer) {
+      double sum = 0;
+      for (const float slabs : snow_layer(terrain.fields(), layer).cells()) sum += static_cast<double>(slabs);
+      return sum;
+    };
+    EXPECT_GT(total(SnowLayer::bonded), 0) << scene.name;
+    loose += total(SnowLayer::loose);
+  }
+  EXPECT_GT(loose, 1000);
+}
+
+/// Everything that the host code does for snow: winds from two sides, an oblique one, an edit, slabs in between, lifts
+/// that are counted, strength that is shown.
+struct Story {
+  World world{.model = "snow_sintering",
+              .extent = {9, 7},
+              .settings = {{"snowfall", 20.0}, {"start_age", 20.0}, {"hop_factor", 60.0}},
+              .sand = 12};
+
+  struct Ending {
+    std::uint64_t hash = 0;
+    MassLedger ledger;
+    Grid<std::int32_t> lifts;
+    std::vector<std::string> notices;
+    std::string executor;
+  };
+
+  Ending on(Executor& executor) const {
+    Ending ending;
+    ending.lifts = Grid<std::int32_t>(world.extent);
+    Terrain terrain = world.strewn();
+    raise_rocks(terrain, 8);
+    const auto model = find_model(world.model).make(world.values());
+    model->prepare({.seed = world.seed});
+    model->begin(terrain);
+    const auto ask = [&] {
+      if (const std::string notice = executor.take_notice(); !notice.empty()) ending.notices.push_back(notice);
+    };
+    const auto drift = [&](std::uint64_t step, double bearing) {
+      model->step(terrain, {bearing, 16}, {world.seed, step}, executor);
+      ask();
+    };
+    drift(13, 270);
+    executor.count_lifts(&ending.lifts);
+    drift(14, 250);
+    drift(15, 20);  // shows strength
+    executor.count_lifts(nullptr);
+    executor.settle(terrain);
+    terrain.edit_mobile()(3, 6) += 4;
+    terrain.ledger().in += 4;
+    drift(16, 20);
+    executor.step(terrain, SlabLaw{}, {270, 3}, {world.seed, 17});
+    drift(18, 0);
+    executor.settle(terrain);
+    ask();
+    ending.hash = state_hash(terrain);
+    ending.ledger = terrain.ledger();
+    ending.executor = executor.name();
+    EXPECT_EQ(terrain.total_mobile(), ending.ledger.expected());
+    return ending;
+  }
+};
+
+TEST(CudaSnow, WhicheverCallFailsTheProcessorGoesOnFromTheSameState) {
+  const Story story;
+  ParallelExecutor cpu({.name = "cpu", .threads = 1, .sweeps = 2});
+  const Story::Ending theirs = story.on(cpu);
+  const auto healthy = std::make_shared<Card>();
+  const Story::Ending ours = story.on(*emulated(healthy));
+  EXPECT_EQ(ours.executor, "cuda");
+  EXPECT_TRUE(ours.notices.empty());
+  EXPECT_EQ(ours.hash, theirs.hash);
+  EXPECT_EQ(ours.ledger, theirs.ledger);
+  EXPECT_TRUE(ours.lifts == theirs.lifts);
+  ASSERT_GT(healthy->calls, 300);
+  for (long long fail_at = 0; fail_at + 1 < healthy->calls; ++fail_at) {
+    const auto card = std::make_shared<Card>();
+    card->fail_at = fail_at;
+    const Story::Ending failed = story.on(*emulated(card));
+    EXPECT_EQ(failed.hash, theirs.hash) << "call " << fail_at;
+    EXPECT_EQ(failed.ledger, theirs.ledger) << "call " << fail_at;
+    EXPECT_TRUE(failed.lifts == theirs.lifts) << "call " << fail_at;
+    EXPECT_EQ(failed.executor, "cpu") << "call " << fail_at;
+    EXPECT_EQ(failed.notices.size(), 1u) << "call " << fail_at;
+    EXPECT_EQ(card->device_bytes, 0u);
+    EXPECT_TRUE(card->pinned.empty());
+    EXPECT_EQ(card->handles, 0);
+  }
+}
+
+TEST(CudaSnow, KeepsTheTerrainOnTheDeviceBetweenSteps) {
+  World world{.model = "snow_sintering", .extent = {20, 20}, .settings = {{"snowfall", 20.0}}, .sand = 20};
+  const auto card = std::make_shared<Card>();
+  const auto executor = emulated(card);
+  Terrain terrain = world.strewn();
+  const auto model = find_model(world.model).make(world.values());
+  model->begin(terrain);
+  const std::uint64_t before = state_hash(terrain);
+  model->step(terrain, {270, 14}, {7, 0}, *executor);
+  const long long allocated = card->of_kind["allocate"];
+  const std::size_t bytes = card->bytes_out;
+  model->step(terrain, {270, 14}, {7, 1}, *executor);
+  EXPECT_EQ(card->of_kind["allocate"], allocated);
+  EXPECT_EQ(card->bytes_out - bytes, snow_bounds * 4 + tally_slots * tallies * 8) << "bounds and counts";
+  EXPECT_EQ(state_hash(terrain), before) << "stale until it is asked for";
+  const std::size_t stepped = card->bytes_out;
+  executor->settle(terrain);
+  EXPECT_EQ(card->bytes_out - stepped, 400u * 4 * 4) << "slabs, loose slabs, age and landing";
+  EXPECT_NE(state_hash(terrain), before);
+  executor->settle(terrain);
+  EXPECT_EQ(card->bytes_out - stepped, 400u * 4 * 4) << "nothing was done since";
+  model->step(terrain, {270, 14}, {7, 15}, *executor);
+  const std::size_t shown = card->bytes_out;
+  executor->settle(terrain);
+  EXPECT_EQ(card->bytes_out - shown, 400u * 5 * 4) << "and strength, where a step has shown it";
+  EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
+}
+
+/// As `cpu` does, in the same words; what was done before can still be had.
+TEST(CudaSnow, RefusesSnowThatHasGrownTooHigh) {
+  World world{.model = "snow_sintering", .extent = {20, 20}, .sand = 20};
+  std::vector<std::string> problems;
+  std::vector<std::uint64_t> hashes;
+  ParallelExecutor cpu({.name = "cpu", .threads = 1, .sweeps = 2});
+  const auto cuda = emulated(std::make_shared<Card>());
+  for (Executor* executor : {static_cast<Executor*>(&cpu), static_cast<Executor*>(cuda.get())}) {
+    Terrain terrain = world.strewn();
+    const auto model = find_model(world.model).make(world.values());
+    model->begin(terrain);
+    model->step(terrain, {270, 14, -10, 1e6}, {7, 0}, *executor);
+    try {
+      for (std::uint64_t step = 1; step < 1000; ++step) model->step(terrain, {270, 14, -10, 1e6}, {7, step}, *executor);
+      ADD_FAILURE() << executor->name() << " never refused";
+    } catch (const InputError& error) {
+      problems.push_back(error.what());
+    }
+    executor->settle(terrain);
+    hashes.push_back(state_hash(terrain));
+  }
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[1], problems[0]);
+  EXPECT_EQ(hashes[1], hashes[0]);
+  EXPECT_EQ(cuda->name(), "cuda");
+}
+
+}  // namespace
+}  // namespace erg::test
