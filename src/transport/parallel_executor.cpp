@@ -107,41 +107,52 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
   Planes<Lane>& mine = planes<Lane>();
   const SweepKernels<Lane>& kernels = sweep_kernels<Lane>(options_.instructions);
   const auto [first_strip, end_strip] = share(static_cast<int>(mine.strips.size()), member, sweepers());
+  const bool apart = lines_stay_apart<Lane>();
   Lane* before = mine.before.data();
   Lane* after = mine.after.data();
-  while (goes_on(progress) && ring_rows(progress.highest) <= rows) {
+  // What members show each other lies in two places in turn: no member is more than one meeting ahead of another.
+  for (int turn = 0; goes_on(progress) && ring_rows(progress.highest) <= rows; turn = 1 - turn) {
     SweepPlan<Lane> plan = sweep_plan<Lane>(progress);
     plan.before = before;
     plan.after = after;
     plan.ring_rows = rows;
     plan.lifted = lifted_.empty() ? nullptr : lifted_.data();
     for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
-    team_.meet();
+    meet_unless(apart);
     if (layout_.lean != 0) {
       // What hangs over into a member's strip it takes itself: those places are in its own processor's cache.
       const auto strips = static_cast<int>(mine.strips.size());
       for (int k = first_strip; k < end_strip; ++k) {
         kernels.hand_over(plan, mine.strips[static_cast<std::size_t>((k + strips - 1) % strips)]);
       }
-      team_.meet();
+      meet_unless(apart);
     }
     for (int k = first_strip; k < end_strip; ++k) {
       Strip<Lane>& strip = mine.strips[static_cast<std::size_t>(k)];
       if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);
+      strip.shown[turn] = strip.counts;
     }
+    meet_unless(apart);
+    const SlidePlan<Lane> slides = slide_plan<Lane>(plan, *progress.law, member, turn);
+    slide_blocks<Lane>(kernels, slides, member, apart);
     team_.meet();
-    const SweepCounts counts = summed(mine.strips);
+    const SweepCounts counts = summed(mine.strips, turn);
     const int bound = progress.highest + static_cast<int>(counts.most_landed + counts.most_carried);
     if (counts.crowded || (sizeof(Lane) == 1 && !narrow_fits(bound))) {
       progress.crowded = true;
       break;
     }
     if (plan.lifted != nullptr) add_lifted(member);
-    slide<Lane>(kernels, slide_plan<Lane>(plan, *progress.law), member);
+    slide_seams<Lane>(kernels, slides, member);
+    meet_unless(apart);
     take_account(progress, counts, bound);
     std::swap(before, after);
   }
   return progress;
+}
+
+void ParallelExecutor::meet_unless(bool apart) {
+  if (!apart) team_.meet();
 }
 
 void ParallelExecutor::take_account(Progress& progress, const SweepCounts& counts, int bound) {
@@ -156,10 +167,10 @@ void ParallelExecutor::take_account(Progress& progress, const SweepCounts& count
 }
 
 template <typename Lane>
-SweepCounts ParallelExecutor::summed(const std::vector<Strip<Lane>>& strips) {
+SweepCounts ParallelExecutor::summed(const std::vector<Strip<Lane>>& strips, int turn) {
   SweepCounts sum;
   for (const Strip<Lane>& strip : strips) {
-    const SweepCounts& counts = strip.counts;
+    const SweepCounts& counts = strip.shown[turn];
     sum.polls += counts.polls;
     sum.lifts += counts.lifts;
     sum.rows_flown += counts.rows_flown;
@@ -173,33 +184,44 @@ SweepCounts ParallelExecutor::summed(const std::vector<Strip<Lane>>& strips) {
   return sum;
 }
 
-/// Slides inside tiles, then over the seams between the rows of tiles, then over those between columns of tiles. A
+/// Slides inside tiles, then over the seams between the rows of tiles, and keeps what the seams between blocks need. A
 /// member's tiles stand in the columns of its strips, so that (on a straight wind) what it conveyed is still near.
 template <typename Lane>
-void ParallelExecutor::slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
+void ParallelExecutor::slide_blocks(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member,
+                                    bool apart) {
   const int length = plan.layout.length;
   const int blocks = plan.layout.blocks;
   const auto [first, end] = share(blocks * tile_rows_of(length), member, sweepers());
   for (int k = first; k < end; ++k) kernels.slide_tile(plan, tile_number(k, length));
-  // Where members hold whole blocks, the seams inside them wait for nobody; over the edge of a skewed torus they meet
-  // other blocks.
-  if (blocks % sweepers() != 0 || plan.layout.lean != 0) team_.meet();
+  // Two members may hold parts of one block; and over the edge of a skewed torus tiles meet other blocks.
+  meet_unless(apart);
   for (int k = first; k < end; ++k) {
     const SlideTile tile = tile_number(k, length);
     if (tile.end_row < length || (!plan.open && length > 2)) kernels.slide_row_seam(plan, tile);
   }
-  team_.meet();
+  meet_unless(apart);
   const auto [first_block, end_block] = share(blocks, member, sweepers());
-  for (int block = first_block; block < end_block; ++block) {
-    const bool closes = block + 1 == blocks;
-    if (!closes || (!plan.open && plan.layout.width > 2))
-      kernels.slide_column_seam(plan, block, closes ? 0 : block + 1);
+  for (int block = first_block; block < end_block; ++block) kernels.keep_edges(plan, block);
+}
+
+/// Slides over the seams between blocks. Members whose blocks meet there both do so, each for its own side.
+template <typename Lane>
+void ParallelExecutor::slide_seams(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
+  const int blocks = plan.layout.blocks;
+  const auto [first, end] = share(blocks, member, sweepers());
+  const auto is_mine = [first = first, end = end](int block) { return first <= block && block < end; };
+  for (int left = 0; left < blocks; ++left) {
+    const bool closes = left + 1 == blocks;
+    if (closes && (plan.open || plan.layout.width <= 2)) continue;
+    const int right = closes ? 0 : left + 1;
+    if (is_mine(left) || is_mine(right)) {
+      kernels.slide_column_seam(plan, left, right, is_mine(left), is_mine(right));
+    }
   }
-  if (plan.diagonals && plan.layout.lean != 0 && length > 1) {
+  if (plan.diagonals && plan.layout.lean != 0 && plan.layout.length > 1) {
     team_.meet();
     if (member == 0) kernels.slide_corners(plan);
   }
-  team_.meet();
 }
 
 /// Members that carry out sub-sweeps.
@@ -247,8 +269,8 @@ SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress) const {
 }
 
 template <typename Lane>
-SlidePlan<Lane> ParallelExecutor::slide_plan(const SweepPlan<Lane>& sweep, const SlabLaw& law) const {
-  const Planes<Lane>& mine = planes<Lane>();
+SlidePlan<Lane> ParallelExecutor::slide_plan(const SweepPlan<Lane>& sweep, const SlabLaw& law, int member, int turn) {
+  Planes<Lane>& mine = planes<Lane>();
   SlidePlan<Lane> plan;
   plan.layout = layout_;
   plan.heights = sweep.after;
@@ -260,6 +282,9 @@ SlidePlan<Lane> ParallelExecutor::slide_plan(const SweepPlan<Lane>& sweep, const
   plan.diagonals = sweep.edge_classes == 8;
   plan.open = open_;
   plan.order = sweep.order;
+  plan.edges = mine.edges.data() + mine.edges.size() / 2 * static_cast<std::size_t>(turn);
+  plan.seam =
+      mine.seams.data() + mine.seams.size() / static_cast<std::size_t>(sweepers()) * static_cast<std::size_t>(member);
   return plan;
 }
 

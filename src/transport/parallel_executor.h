@@ -2,11 +2,11 @@
 // frozen surface, moves their slabs, and lets slopes slide. From K = 8 to 16 on it grows the same dunes as one slab at
 // a time, on any number of threads with the same bits.
 //
-// A sub-sweep has four phases, with a barrier after each: *convey* (each thread follows its strips of lines down the
-// wind; on skewed planes it then hands over the cells at its strips' edges), *carry* (slabs still in the air go on over
-// the torus edge), *slide* (tiles, then the seams between their rows), *seams* (between blocks of columns). It is
-// deterministic because decisions read only the frozen plane and keyed random numbers, lines never share a cell, and
-// the edges of one class of slides are disjoint.
+// A sub-sweep has four phases: *convey* (each thread follows its strips of lines down the wind; on skewed planes it
+// then hands over the cells at its strips' edges), *carry* (slabs still in the air go on over the torus edge), *slide*
+// (tiles, then the seams between their rows), *seams* (between blocks of columns). Threads meet between them; where the
+// lines of each stay in blocks of its own, before the seams alone. It is deterministic because decisions read only the
+// frozen plane and keyed random numbers, lines never share a cell, and the edges of one class of slides are disjoint.
 #pragma once
 
 #include <utility>
@@ -46,6 +46,8 @@ class ParallelExecutor : public Executor {
     std::vector<Strip<Lane>> strips;
     AlignedVector<Lane> rings;
     AlignedVector<Overhang<Lane>> overhangs;  ///< of each strip and row; empty where planes are not skewed
+    AlignedVector<Lane> edges;                ///< SlidePlan::edges, of two sub-sweeps in turn
+    AlignedVector<Lane> seams;                ///< SlidePlan::seam, for each member
   };
 
   /// One time step under way.
@@ -95,6 +97,8 @@ class ParallelExecutor : public Executor {
   int ring_rows(int highest) const;
   template <typename Lane>
   void prepare_strips(int ring_rows);
+  template <typename Lane>
+  bool lines_stay_apart() const;
   void prepare_lift_counts();
   void add_lifted(int member);
   void hand_out_lift_counts();
@@ -106,15 +110,18 @@ class ParallelExecutor : public Executor {
   Progress sweep_as_member(int member, Progress progress, int rows);
   static void take_account(Progress& progress, const SweepCounts& counts, int bound);
   template <typename Lane>
-  static SweepCounts summed(const std::vector<Strip<Lane>>& strips);
+  static SweepCounts summed(const std::vector<Strip<Lane>>& strips, int turn);
+  void meet_unless(bool apart);
   template <typename Lane>
-  void slide(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
+  void slide_blocks(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member, bool apart);
+  template <typename Lane>
+  void slide_seams(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
   int sweepers() const;
   static std::pair<int, int> share(int count, int member, int members);
   template <typename Lane>
   SweepPlan<Lane> sweep_plan(const Progress& progress) const;
   template <typename Lane>
-  SlidePlan<Lane> slide_plan(const SweepPlan<Lane>& sweep, const SlabLaw& law) const;
+  SlidePlan<Lane> slide_plan(const SweepPlan<Lane>& sweep, const SlabLaw& law, int member, int turn);
 
   ExecutorOptions options_;
   ThreadTeam team_;

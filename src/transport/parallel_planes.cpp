@@ -219,11 +219,14 @@ void ParallelExecutor::prepare_strips(int ring_rows) {
   const int lines_each = (frame_.width + members * strips_each - 1) / (members * strips_each);
   const int lines = std::min(strip_lines, (lines_each + 63) / 64 * 64);
   const auto count = static_cast<std::size_t>((frame_.width + lines - 1) / lines);
-  const std::size_t ring = static_cast<std::size_t>(ring_rows) * strip_lines;
+  const std::size_t ring = static_cast<std::size_t>(ring_rows) * strip_lines + fetched_ahead;
   if (mine.strips.size() != count) mine.strips = std::vector<Strip<Lane>>(count);
   if (mine.rings.size() != ring * count) mine.rings.assign(ring * count, 0);
   const std::size_t rows = layout_.lean != 0 ? static_cast<std::size_t>(layout_.length) : 0;
   mine.overhangs.resize(rows * count);
+  const auto length = static_cast<std::size_t>(layout_.length);
+  mine.edges.resize(2 * 4 * static_cast<std::size_t>(layout_.blocks) * length);
+  mine.seams.resize(static_cast<std::size_t>(members) * (seam_columns * length + fetched_ahead));
   for (std::size_t k = 0; k < count; ++k) {
     Strip<Lane>& strip = mine.strips[k];
     strip.first = static_cast<int>(k) * lines;
@@ -231,6 +234,20 @@ void ParallelExecutor::prepare_strips(int ring_rows) {
     strip.ring = mine.rings.data() + ring * k;
     strip.overhang = layout_.lean != 0 ? mine.overhangs.data() + rows * k : nullptr;
   }
+}
+
+/// Whether each member's lines stay in blocks of its own, from the first row to the last and over the torus edge. Then
+/// nothing but the seams between blocks is any concern of another member.
+template <typename Lane>
+bool ParallelExecutor::lines_stay_apart() const {
+  const std::vector<Strip<Lane>>& strips = planes<Lane>().strips;
+  bool apart = frame_.tangent <= 0 && layout_.blocks % sweepers() == 0;
+  for (int member = 0; member < sweepers() && apart; ++member) {
+    const auto first_strip = static_cast<std::size_t>(share(static_cast<int>(strips.size()), member, sweepers()).first);
+    const int first_block = share(layout_.blocks, member, sweepers()).first;
+    apart = first_strip < strips.size() && strips[first_strip].first == first_block * layout_.block_columns;
+  }
+  return apart;
 }
 
 // --- counting where slabs are lifted ---
@@ -272,5 +289,7 @@ template void ParallelExecutor::prepare_hops<std::uint8_t>(const SlabLaw&, doubl
 template void ParallelExecutor::prepare_hops<std::uint16_t>(const SlabLaw&, double);
 template void ParallelExecutor::prepare_strips<std::uint8_t>(int);
 template void ParallelExecutor::prepare_strips<std::uint16_t>(int);
+template bool ParallelExecutor::lines_stay_apart<std::uint8_t>() const;
+template bool ParallelExecutor::lines_stay_apart<std::uint16_t>() const;
 
 }  // namespace erg

@@ -66,13 +66,18 @@ struct SweepCounts {
   bool crowded = false;            ///< too many slabs at one place for 8-bit lanes
 };
 
+/// Bytes between what two threads write all the time: a processor fetches ahead of what it reads, up to the end of a
+/// page, and takes from another what that is writing to.
+inline constexpr std::size_t fetched_ahead = 4096;
+
 /// A strip of lines at work: its shadow line, its slabs in the air.
 template <typename Lane>
-struct Strip {
+struct alignas(fetched_ahead) Strip {
   using Shadow = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
   int first = 0;  ///< first line
   int lines = 0;  ///< at most strip_lines
   SweepCounts counts;
+  SweepCounts shown[2];                  ///< counts of the last two sub-sweeps, for all members to read
   std::int64_t last_arrival = -1;        ///< no slab in the air comes down after this row
   alignas(64) Shadow line[strip_lines];  ///< height of the shadow line, 1/256 slabs
   alignas(64) Lane upwind[strip_lines];  ///< height of the row before (oblique winds)
@@ -94,7 +99,17 @@ struct SlidePlan {
   bool diagonals = false;
   bool open = false;
   const std::uint8_t* order = nullptr;  ///< edge classes in the order of this sub-sweep
+  Lane* edges = nullptr;                ///< what stands in the outermost columns of each block (edge_column)
+  Lane* seam = nullptr;                 ///< room for the columns of one seam: seam_columns x length
+
+  /// Where column `k` of a block's outermost ones is kept: 0, 1 from the left, 2, 3 to the right.
+  Lane* edge_column(int block, int k) const {
+    return edges + static_cast<std::size_t>(4 * block + k) * static_cast<std::size_t>(layout.length);
+  }
 };
+
+/// Four columns beside a seam with the height, bedrock and both standing steps of their cells.
+inline constexpr int seam_columns = 16;
 
 /// A block's cells in some of its rows, which slide by themselves. Tiles are a part of the rules: they depend on the
 /// grid alone.
@@ -111,7 +126,9 @@ struct SweepKernels {
   void (*carry)(const SweepPlan<Lane>&, Strip<Lane>&);           ///< slabs still in the air go on over the torus edge
   void (*slide_tile)(const SlidePlan<Lane>&, const SlideTile&);  ///< all edges inside a tile
   void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to what lies above a tile
-  void (*slide_column_seam)(const SlidePlan<Lane>&, int left, int right);  ///< edges between two blocks
+  void (*keep_edges)(const SlidePlan<Lane>&, int block);                   ///< copies the outermost columns
+  /// Edges between two blocks, from the columns that both have kept; writes to those blocks that are `mine`.
+  void (*slide_column_seam)(const SlidePlan<Lane>&, int left, int right, bool left_mine, bool right_mine);
   void (*slide_corners)(const SlidePlan<Lane>&);  ///< skewed planes: edges between blocks over the torus edge
 };
 

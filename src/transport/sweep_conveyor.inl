@@ -16,6 +16,7 @@ class Conveyor {
       : plan_(plan),
         strip_(strip),
         lanes_((strip.lines + 63) / 64 * 64),
+        next_strip_(plan.layout.at_place(plan.layout.wrapped(strip.first + strip.lines), 0)),
         walk_(plan.layout, plan.drift, plan.phase, strip.first, strip.lines),
         draws_(strip.first, lanes_),
         flight_(plan, strip, draws_, lanes_) {
@@ -74,14 +75,10 @@ class Conveyor {
   /// Reads the frozen surface. `flown` is the row counted on over the torus edge: it keys the random numbers.
   void read_row(std::int64_t flown) {
     walk_.copy_in(row_.height, plan_.before);
-    // Rows of a column lie too far apart for the processor to foresee them.
-    constexpr std::size_t line = 64 / sizeof(Lane);
-    walk_.for_runs(prefetch_rows, strip_.lines, [&](int, std::size_t cell, std::size_t count) {
-      for (std::size_t lane = 0; lane < count; lane += line) __builtin_prefetch(plan_.before + cell + lane);
-    });
-    walk_.for_runs(prefetch_rows, own_lanes(), [&](int, std::size_t cell, std::size_t count) {
-      for (std::size_t lane = 0; lane < count; lane += line) __builtin_prefetch(plan_.after + cell + lane, 1);
-    });
+    if (strip_.overhang && walk_.y() + prefetch_rows < plan_.layout.length) {
+      const std::size_t row = static_cast<std::size_t>(walk_.y() + prefetch_rows);
+      __builtin_prefetch(plan_.before + next_strip_ + row * static_cast<std::size_t>(plan_.layout.pitch));
+    }
     if (plan_.bedrock) walk_.copy_in(row_.bedrock, plan_.bedrock);
     if (plan_.cover) walk_.copy_in(row_.cover, plan_.cover);
     row_.word = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
@@ -98,7 +95,7 @@ class Conveyor {
       highest = now > highest ? now : highest;
     }
     if (highest > strip_.counts.highest) strip_.counts.highest = highest;
-    walk_.for_runs(0, own_lanes(), [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs(own_lanes(), [&](int lane, std::size_t cell, std::size_t count) {
       std::memcpy(plan_.after + cell, height + lane, count * sizeof(Lane));
     });
     if (strip_.overhang) keep_overhang();
@@ -120,7 +117,7 @@ class Conveyor {
 
   /// Which cells of the row have given a slab, for those who want to know.
   void write_lifted() const {
-    walk_.for_runs(0, strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
       std::uint8_t* __restrict out = plan_.lifted + cell;
       const Lane* __restrict lifted = row_.lifted + lane;
       ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<std::uint8_t>(lifted[i]);
@@ -129,7 +126,7 @@ class Conveyor {
 
   void add_row() {
     if (most_landed_ == 0) return;
-    walk_.for_runs(0, strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
       Lane* __restrict out = plan_.after + cell;
       const Lane* __restrict landed = row_.landed + lane;
       ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<Lane>(out[i] + landed[i]);
@@ -215,7 +212,7 @@ class Conveyor {
     if (most > 2) land_others(arrivals);
     if (most > 0) std::memset(arrivals, 0, static_cast<std::size_t>(lanes_) * sizeof(Lane));
     if (plan_.wall_rows) meet_walls(flown);
-    if (any_leaving_) flight_.launch(row_, flown);
+    if (any_leaving_) flight_.launch(row_, flown, static_cast<std::uint32_t>(most) + 1);
     if (++rows_summed_ == LaneSums<Lane>::rows_before_flush) flush_sums();
   }
 
@@ -384,13 +381,16 @@ class Conveyor {
     }
     std::memset(&sums_, 0, sizeof sums_);
     rows_summed_ = 0;
+    flight_.flush_sums();
   }
 
-  static constexpr int prefetch_rows = 6;
+  // A processor fetches rows ahead by itself, but not the one cell line a row that it shares with another.
+  static constexpr int prefetch_rows = 8;
 
   const SweepPlan<Lane>& plan_;
   Strip<Lane>& strip_;
   const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
+  const std::size_t next_strip_;  // the place after the strip's own, in row 0
   LineWalk walk_;
   const LineDraws<Lane> draws_;
   Flight<Lane> flight_;

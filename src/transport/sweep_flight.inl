@@ -10,8 +10,8 @@ class Flight {
   /// How many slabs come down at each lane of a row.
   Lane* arrivals(std::int64_t flown) { return strip_.ring + ring_start(flown); }
 
-  /// Sends the slabs that leave this row to the row where they come down next.
-  void launch(Row<Lane>& row, std::int64_t flown) {
+  /// Sends the slabs that leave this row to the row where they come down next; at most `most` leave one lane.
+  void launch(Row<Lane>& row, std::int64_t flown, std::uint32_t most) {
     if (plan_.hop_by_height) {
       launch_by_height(row, flown);
       return;
@@ -21,22 +21,21 @@ class Flight {
     const Lane far_below = static_cast<Lane>(rows_256 & 0xff);  // of 256: how often a hop is one row longer
     const Lane* __restrict leaving = row.leaving;
     Lane* __restrict near_ring = strip_.ring + ring_start(flown + near_rows);
-    // A row's slabs: 16 bits hold strip_lines * (narrow_arrivals + 1).
-    using Sum = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
-    Sum all = 0;
+    Lane* __restrict left = left_;
+    if (most_left_ + most > static_cast<Lane>(~Lane{0})) flush_sums();
+    most_left_ += most;
     if (far_below == 0) {
       ERG_EACH(i, lanes_) {
         near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
-        all = static_cast<Sum>(all + leaving[i]);
+        left[i] = static_cast<Lane>(left[i] + leaving[i]);
       }
-      strip_.counts.rows_flown += static_cast<std::int64_t>(all) * near_rows;
       expect(flown + near_rows);
       return;
     }
     draws_.template fill_next<Draw::hop>(row);
     const Lane* __restrict random = row.random;
     Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
-    Sum all_far = 0;
+    Lane* __restrict left_far = left_far_;
     const Lane near_below = static_cast<Lane>(256 - far_below);
     ERG_EACH(i, lanes_) {
       // As hop_rows: one row more where the random byte carries the fraction over.
@@ -44,11 +43,25 @@ class Flight {
       const Lane near = static_cast<Lane>(leaving[i] - far);
       near_ring[i] = static_cast<Lane>(near_ring[i] + near);
       far_ring[i] = static_cast<Lane>(far_ring[i] + far);
-      all = static_cast<Sum>(all + leaving[i]);
-      all_far = static_cast<Sum>(all_far + far);
+      left[i] = static_cast<Lane>(left[i] + leaving[i]);
+      left_far[i] = static_cast<Lane>(left_far[i] + far);
     }
-    strip_.counts.rows_flown += static_cast<std::int64_t>(all) * near_rows + all_far;
     expect(flown + near_rows + 1);
+  }
+
+  /// Books the rows that slabs have been sent on since this was last called.
+  void flush_sums() {
+    std::uint32_t all = 0;
+    std::uint32_t far = 0;
+    for (int i = 0; i < lanes_; ++i) {
+      all += left_[i];
+      far += left_far_[i];
+    }
+    const std::uint32_t near_rows = plan_.hop_table[0] >> fixed_point_bits;
+    strip_.counts.rows_flown += static_cast<std::int64_t>(all) * near_rows + far;
+    std::memset(left_, 0, sizeof left_);
+    std::memset(left_far_, 0, sizeof left_far_);
+    most_left_ = 0;
   }
 
   /// New slabs over an open edge.
@@ -136,4 +149,9 @@ class Flight {
   Strip<Lane>& strip_;
   const LineDraws<Lane>& draws_;
   const int lanes_;
+  // Slabs that have left each lane where all hops are alike, all of them and those that fly a row further; summed up
+  // now and then, for to sum a row's lanes takes as long as to fly them.
+  alignas(64) Lane left_[strip_lines] = {};
+  alignas(64) Lane left_far_[strip_lines] = {};
+  std::uint32_t most_left_ = 0;  // no sum is higher
 };

@@ -24,6 +24,8 @@ namespace {
 
 #include "transport/sweep_slides.inl"
 
+#include "transport/sweep_seams.inl"
+
 template <typename Lane>
 void convey(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
   Conveyor<Lane>(plan, strip).convey();
@@ -59,8 +61,8 @@ void slide_row_seam(const SlidePlan<Lane>& plan, const SlideTile& below) {
 }
 
 template <typename Lane>
-void slide_column_seam(const SlidePlan<Lane>& plan, int left, int right) {
-  Slider<Lane>(plan).column_seam(left, right);
+void slide_column_seam(const SlidePlan<Lane>& plan, int left, int right, bool left_mine, bool right_mine) {
+  ColumnSeam<Lane>(plan, left, right).slide(left_mine, right_mine);
 }
 
 template <typename Lane>
@@ -75,8 +77,9 @@ void slide_corners(const SlidePlan<Lane>& plan) {
 extern const SweepKernels<std::uint8_t> narrow_kernels;
 extern const SweepKernels<std::uint16_t> wide_kernels;
 template <typename Lane>
-constexpr SweepKernels<Lane> all_kernels{convey<Lane>,         hand_over<Lane>,         carry<Lane>,       slide_tile<Lane>,
-                                         slide_row_seam<Lane>, slide_column_seam<Lane>, slide_corners<Lane>};
+constexpr SweepKernels<Lane> all_kernels{
+    convey<Lane>,     hand_over<Lane>,         carry<Lane>,        slide_tile<Lane>, slide_row_seam<Lane>,
+    keep_edges<Lane>, slide_column_seam<Lane>, slide_corners<Lane>};
 const SweepKernels<std::uint8_t> narrow_kernels = all_kernels<std::uint8_t>;
 const SweepKernels<std::uint16_t> wide_kernels = all_kernels<std::uint16_t>;
 

@@ -55,17 +55,15 @@ class LineWalk {
   /// Whether the lines have moved one column sideways at this row.
   bool stepped() const { return stepped_; }
   /// Calls visit(first lane, cell of a plane, lanes) for each run of the first lanes that lie side by side in a plane.
-  /// With `ahead`, about where they will lie so many rows further on, or where they do now if the grid ends before.
   template <typename Visit>
-  void for_runs(int ahead, int lanes_wanted, const Visit& visit) const {
-    const int y = y_ + ahead < layout_.length ? y_ + ahead : y_;
+  void for_runs(int lanes_wanted, const Visit& visit) const {
     int block = block_;
     int column = in_block_;
     for (int lane = 0; lane < lanes_wanted; column = 0) {
       const int in_block = layout_.columns_of(block) - column;
       const int left = lanes_wanted - lane;
       const int lanes = in_block < left ? in_block : left;
-      visit(lane, layout_.at(block, column, y), static_cast<std::size_t>(lanes));
+      visit(lane, layout_.at(block, column, y_), static_cast<std::size_t>(lanes));
       lane += lanes;
       block = block + 1 == layout_.blocks ? 0 : block + 1;
     }
@@ -73,7 +71,7 @@ class LineWalk {
 
   template <typename T>
   void copy_in(T* lanes, const T* plane) const {
-    for_runs(0, lines_, [&](int lane, std::size_t cell, std::size_t count) {
+    for_runs(lines_, [&](int lane, std::size_t cell, std::size_t count) {
       std::memcpy(lanes + lane, plane + cell, count * sizeof(T));
     });
   }

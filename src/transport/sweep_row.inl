@@ -6,7 +6,7 @@ struct Row {
   alignas(64) Lane height[strip_lines];
   alignas(64) Lane bedrock[strip_lines];
   alignas(64) Lane dark[strip_lines];
-  alignas(64) Lane random[strip_lines];
+  alignas(64) Lane random[strip_lines];     // of the draw at hand
   alignas(64) Lane held[strip_lines];       // mask: nothing lifts here
   alignas(64) Lane threshold[strip_lines];  // a slab stays if its random byte is below
   alignas(64) Lane sure[strip_lines];       // mask: every slab stays
@@ -15,7 +15,7 @@ struct Row {
   alignas(64) Lane leaving[strip_lines];
   alignas(64) std::uint8_t cover[strip_lines];
   alignas(64) Lane next_bedrock[strip_lines];
-  alignas(64) std::uint32_t landing_words[strip_lines / 4];
+  alignas(64) std::uint32_t landing_words[strip_lines / 4];  // of the first landing; further draws follow from them
   std::uint64_t word;  // of this row; keys its draws
 };
 
@@ -51,35 +51,34 @@ class LineDraws {
   /// Random bytes for all lanes, of a fresh draw.
   void fill(Lane* lanes, std::uint32_t key) const {
     const std::uint32_t first = first_quad_;
-    std::uint32_t words[strip_lines / 4];
-    ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
-    spread(words, lanes);
+    Lane* __restrict out = lanes;
+    ERG_EACH(q, lanes_ / 4) spread(quad_word(key, first + static_cast<std::uint32_t>(q)), out + 4 * q);
   }
 
-  /// The same for the draws of the first landing, from whose words further ones follow.
+  /// The same for the draws of the first landing, whose words are kept: further draws follow from them.
   void fill_landing(Row<Lane>& row) const {
     const std::uint32_t key = draw_key(row.word, Draw::first_landing);
     const std::uint32_t first = first_quad_;
     std::uint32_t* __restrict words = row.landing_words;
     ERG_EACH(q, lanes_ / 4) words[q] = quad_word(key, first + static_cast<std::uint32_t>(q));
-    spread(words, row.random);
+    Lane* __restrict out = row.random;
+    ERG_EACH(q, lanes_ / 4) spread(words[q], out + 4 * q);
   }
 
   template <Draw draw>
   void fill_next(Row<Lane>& row) const {
-    std::uint32_t words[strip_lines / 4];
-    const std::uint32_t* __restrict landing_words = row.landing_words;
-    ERG_EACH(q, lanes_ / 4) words[q] = next_word(landing_words[q], draw);
-    spread(words, row.random);
+    const std::uint32_t* __restrict words = row.landing_words;
+    Lane* __restrict out = row.random;
+    ERG_EACH(q, lanes_ / 4) spread(next_word(words[q], draw), out + 4 * q);
   }
 
  private:
-  /// Cuts words into bytes, one for each lane (little-endian).
-  void spread(const std::uint32_t* words, Lane* lanes) const {
+  /// Cuts a word into bytes, one for each of four lanes (little-endian).
+  static void spread(std::uint32_t word, Lane* lanes) {
     if constexpr (sizeof(Lane) == 1) {
-      std::memcpy(lanes, words, static_cast<std::size_t>(lanes_));
+      __builtin_memcpy(lanes, &word, sizeof word);
     } else {
-      for (int i = 0; i < lanes_; ++i) lanes[i] = static_cast<Lane>(words[i / 4] >> (8 * (i % 4)) & 0xff);
+      for (int i = 0; i < 4; ++i) lanes[i] = static_cast<Lane>(word >> (8 * i) & 0xff);
     }
   }
 

@@ -21,6 +21,27 @@ void slide_lanes(Lane* __restrict a, Lane* __restrict b, const Lane* bedrock_a, 
   }
 }
 
+/// The same where bedrock is null when it is level, and steps when all are alike.
+template <typename Lane>
+void slide_edges(Lane* a, Lane* b, const Lane* bedrock_a, const Lane* bedrock_b, const Lane* step_a, const Lane* step_b,
+                 Lane step, int lanes) {
+  if (bedrock_a && step_a) {
+    slide_lanes<Lane, true, true>(a, b, bedrock_a, bedrock_b, step_a, step_b, step, lanes);
+  } else if (bedrock_a) {
+    slide_lanes<Lane, true, false>(a, b, bedrock_a, bedrock_b, nullptr, nullptr, step, lanes);
+  } else if (step_a) {
+    slide_lanes<Lane, false, true>(a, b, nullptr, nullptr, step_a, step_b, step, lanes);
+  } else {
+    slide_lanes<Lane, false, false>(a, b, nullptr, nullptr, nullptr, nullptr, step, lanes);
+  }
+}
+
+/// Places by which the row above is shifted to the left: the cell above place p stands in place p - skew_step. The
+/// edge of the torus is left out.
+inline int skew_step(const PlaneLayout& layout, int y) {
+  return y + 1 < layout.length ? layout.skew(y + 1) - layout.skew(y) : 0;
+}
+
 /// Two neighbouring lanes read as one word of twice the width, so that edges within a row need no shuffles.
 template <typename Lane>
 struct LanePair {
@@ -91,51 +112,22 @@ class Slider {
     above_tile(below, falling_even);
   }
 
-  /// Each class of edges that cross from one block into the next, row after row. Where rows are skewed against each
-  /// other those along the wind do so too.
-  void column_seam(int left, int right) const {
-    const PlaneLayout& layout = plan_.layout;
-    const int last = layout.columns_of(left) - 1;
-    for (int y = 0; y < layout.length; ++y) {
-      fetch_ahead(left, last, y);
-      fetch_ahead(right, 0, y);
-      run(layout.at(left, last, y), layout.at(right, 0, y), 1, plan_.steps, plan_.step);
-    }
-    const int rows = plan_.open ? layout.length - 1 : layout.length;
-    for (int y = 0; y < rows && layout.lean != 0; ++y) {
-      if (skew_step(y) != 0) run(layout.at(right, 0, y), layout.at(left, last, y + 1), 1, plan_.steps, plan_.step);
-    }
-    if (!plan_.diagonals || layout.length < 2) return;
-    const int own_rows = layout.lean == 0 ? rows : layout.length - 1;
-    for (const bool rising : {true, false}) {
-      for (int y = 0; y < own_rows; ++y) diagonals_across(left, right, y, rising);
-    }
-  }
-
   /// What is left of the column seams of skewed planes: diagonals over the torus edge, whose upper cells may belong to
   /// any other seam.
   void corners() const {
+    const PlaneLayout& layout = plan_.layout;
+    const int top = layout.length - 1;
     for (const bool rising : {true, false}) {
-      for (int block = 0; block < plan_.layout.blocks; ++block) {
-        const int right = block + 1 == plan_.layout.blocks ? 0 : block + 1;
-        diagonals_across(block, right, plan_.layout.length - 1, rising);
+      for (int left = 0; left < layout.blocks; ++left) {
+        const int right = left + 1 == layout.blocks ? 0 : left + 1;
+        const int last = layout.columns_of(left) - 1;
+        const int place = rising ? place_over_torus_edge(right, 0) : place_over_torus_edge(left, last);
+        run(rising ? layout.at(left, last, top) : layout.at(right, 0, top), layout.at_place(place, 0), 1, true);
       }
     }
   }
 
  private:
-  /// Each cell of a column lies in a cache line of its own, which another processor may hold.
-  void fetch_ahead(int block, int column, int y) const {
-    constexpr int rows = 8;
-    if (y + rows < plan_.layout.length) __builtin_prefetch(plan_.heights + plan_.layout.at(block, column, y + rows), 1);
-  }
-
-  /// Places by which the row above is shifted to the left: the cell above place p stands in place p - skew_step. The
-  /// edge of the torus is left out.
-  int skew_step(int y) const {
-    return y + 1 < plan_.layout.length ? plan_.layout.skew(y + 1) - plan_.layout.skew(y) : 0;
-  }
-
   /// Columns from the lower to the upper cell of an edge.
   static int columns_over(EdgeClass edges) {
     if (!is_diagonal(edges)) return 0;
@@ -149,7 +141,7 @@ class Slider {
   static int whole_vectors(int lanes) { return (lanes + 63) / 64 * 64; }
 
   /// Columns by which the row above lies to the right of a row, for edges of a class.
-  int shift_to_next_row(int y, EdgeClass edges) const { return columns_over(edges) - skew_step(y); }
+  int shift_to_next_row(int y, EdgeClass edges) const { return columns_over(edges) - skew_step(plan_.layout, y); }
 
   /// Levels the margin for the edges of one class between row y of a block and the row above it.
   void level_margin(int block, int y, EdgeClass edges) const {
@@ -205,24 +197,6 @@ class Slider {
     return layout.wrapped(block * layout.block_columns + column + layout.skew(layout.length - 1) - layout.skew(0));
   }
 
-  /// The diagonal edges above row y that cross from one block to the next.
-  void diagonals_across(int left, int right, int y, bool rising) const {
-    const PlaneLayout& layout = plan_.layout;
-    const int last = layout.columns_of(left) - 1;
-    const auto edge = [&](std::size_t lower, std::size_t upper) { run(lower, upper, 1, true); };
-    if (y + 1 == layout.length) {
-      const int place = rising ? place_over_torus_edge(right, 0) : place_over_torus_edge(left, last);
-      const std::size_t upper = layout.at_place(place, 0);
-      edge(rising ? layout.at(left, last, y) : layout.at(right, 0, y), upper);
-    } else if (skew_step(y) == 0) {
-      edge(rising ? layout.at(left, last, y) : layout.at(right, 0, y),
-           rising ? layout.at(right, 0, y + 1) : layout.at(left, last, y + 1));
-    } else if (!rising) {
-      edge(layout.at(right, 0, y), layout.at(left, last - 1, y + 1));
-      edge(layout.at(right, 1, y), layout.at(left, last, y + 1));
-    }
-  }
-
   void run(std::size_t a, std::size_t b, int lanes, bool diagonal) const {
     if (diagonal) {
       run(a, b, lanes, plan_.diagonal_steps, plan_.diagonal_step);
@@ -233,20 +207,9 @@ class Slider {
 
   /// Edges between cells a, a + 1, ... and b, b + 1, ...
   void run(std::size_t a, std::size_t b, int lanes, const Lane* steps, int step) const {
-    Lane* heights = plan_.heights;
-    const Lane* bedrock = plan_.bedrock;
-    const Lane limit = static_cast<Lane>(step);
-    if (bedrock && steps) {
-      slide_lanes<Lane, true, true>(heights + a, heights + b, bedrock + a, bedrock + b, steps + a, steps + b, limit,
-                                    lanes);
-    } else if (bedrock) {
-      slide_lanes<Lane, true, false>(heights + a, heights + b, bedrock + a, bedrock + b, nullptr, nullptr, limit,
-                                     lanes);
-    } else if (steps) {
-      slide_lanes<Lane, false, true>(heights + a, heights + b, nullptr, nullptr, steps + a, steps + b, limit, lanes);
-    } else {
-      slide_lanes<Lane, false, false>(heights + a, heights + b, nullptr, nullptr, nullptr, nullptr, limit, lanes);
-    }
+    const auto cell = [](const Lane* plane, std::size_t at) { return plane ? plane + at : nullptr; };
+    slide_edges(plan_.heights + a, plan_.heights + b, cell(plan_.bedrock, a), cell(plan_.bedrock, b), cell(steps, a),
+                cell(steps, b), static_cast<Lane>(step), lanes);
   }
 
   /// Edges within the rows of a tile: cells (0, 1), (2, 3) ... or (1, 2), (3, 4) ...

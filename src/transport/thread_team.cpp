@@ -20,7 +20,7 @@ void pause_a_moment() {
 
 }  // namespace
 
-int spins_of(int members) { return members <= static_cast<int>(std::thread::hardware_concurrency()) ? 300 : 0; }
+int spins_of(int members) { return members <= static_cast<int>(std::thread::hardware_concurrency()) ? 1000 : 0; }
 
 void Signal::wait_while(unsigned seen, int spins) const {
   for (int spin = 0; spin < spins; ++spin) {

@@ -27,6 +27,10 @@ std::vector<Case> cases() {
          {.model = key, .extent = {270, 330}, .wind = {150, 4.5}, .settings = {{"neighbours", std::string("8")}}},
          true,
          5});
+    all.push_back({key + " straight, each thread in columns of its own",
+                   {.model = key, .extent = {60, 270}, .settings = {{"neighbours", std::string("8")}}},
+                   true,
+                   5});
     all.push_back({key + " rocks", {.model = key, .extent = {131, 77}, .wind = {250, 6}}, true});
     all.push_back(
         {key + " nonrepeated",
