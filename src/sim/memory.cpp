@@ -33,7 +33,7 @@ Size size_of(const Config& config) { return {config.grid.integer("nx"), config.g
 /// what it allocates, with a little room.
 std::uint64_t model_bytes_a_cell(const std::string& model) {
   static const std::map<std::string, std::uint64_t> bytes{
-      {"nield_baas", 6}, {"snow_packing", 5}, {"snow_sintering", 60}, {"grains", 60}};
+      {"nield_baas", 6}, {"snow_packing", 5}, {"snow_sintering", 45}, {"grains", 60}};
   const auto known = bytes.find(model);
   return known == bytes.end() ? 0 : known->second;
 }

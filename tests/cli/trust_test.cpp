@@ -308,6 +308,7 @@ TEST(ShortMemory, WhatIsSaidOfARunsNeedIsSo) {
     config.run.set("executor", std::string("cpu"));
     config.run.set("threads", std::int64_t{2});
     config.run.set("steps", std::int64_t{1});
+    set_from_text(config, "wind.bearing=240");  // along the grid some models take less
     const double cells = static_cast<double>(config.grid.integer("nx") * config.grid.integer("ny"));
     const double said = static_cast<double>(memory_of_run(config)) / cells;
     const double taken = taken_a_cell(folder, config);
