@@ -5,19 +5,23 @@ namespace {
 
 // The only thing that a signal handler may touch.
 volatile std::sig_atomic_t signal_came = 0;
+volatile std::sig_atomic_t asked_to_end = 0;
 
 extern "C" void note_signal(int signal) {
-  if (signal_came != 0) {
+  signal_came = 1;
+  if (signal == SIGHUP) return;  // of a terminal that closes it may come twice, or beside another
+  if (asked_to_end != 0) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);  // comes when this returns
   }
-  signal_came = 1;
+  asked_to_end = 1;
 }
 
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
   signal_came = 0;
+  asked_to_end = 0;
   struct sigaction handler = {};
   handler.sa_handler = note_signal;
   handler.sa_flags = SA_RESTART;

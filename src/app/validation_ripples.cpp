@@ -16,10 +16,10 @@ constexpr Extent ripple_ground{256, 48};
 
 Config ripple_config(const std::string& strength_is, double strength, double bearing, int steps) {
   Config config("grains");
+  start_as_model(config);
   for (const std::string& assignment :
        {"grid.nx=" + std::to_string(ripple_ground.nx), "grid.ny=" + std::to_string(ripple_ground.ny),
-        std::string("grid.cell_size=0.01"), std::string("scene.sand=200"), "parameters.strength_is=" + strength_is,
-        "run.steps=" + std::to_string(steps)}) {
+        "parameters.strength_is=" + strength_is, "run.steps=" + std::to_string(steps)}) {
     set_from_text(config, assignment);
   }
   config.wind = Regime::constant(bearing, strength);

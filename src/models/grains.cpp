@@ -181,7 +181,7 @@ ModelType grains() {
            .title = "Wang & Hu 2012",
            .citation = "Wang, Z.-S. & Hu, R. (2012), after the accounts of Szabo (2019, ch. 3) and Cimbura (2022, sec. "
                        "4.3 and 5.11); wind in the saltation layer after Bagnold (1941), splash ours.",
-           .makes = "ripples of sand and snow, a few centimetres long, on flat ground, over dunes, round plants",
+           .makes = "ripples of sand and snow, about a decimetre long, on flat ground, over dunes, round plants",
            .leaves_out = "turbulence, speed-up of the wind over a hill, sorting of grains by size, time in seconds",
            .step = "one step polls as many grains as the grid has cells",
            .strength_label = "wind speed at wind_height, m/s (or friction velocity, m/s: see strength_is)",

@@ -10,6 +10,10 @@
 namespace erg {
 namespace {
 
+/// Of a run's terrain, besides its own: the state that reset goes back to and up to three that are shown, in the
+/// window's hands, published since then, and in the making.
+constexpr int copies = 4;
+
 /// What may be kept for undo, in bytes. At least one edit is kept, however large its terrain.
 constexpr std::size_t most_undo_bytes = std::size_t{1} << 29;
 constexpr std::size_t most_edits = 200;
@@ -56,9 +60,7 @@ void Lockstep::take(std::vector<std::unique_ptr<Simulation>> runs) {
 
 void Lockstep::create(const std::vector<Config>& configs) {
   check_together(configs, [](const Config& config) { return config.wind; });
-  // Besides each run there are the state that reset goes back to and up to three that are shown: in the window's hands,
-  // published since then, and in the making.
-  check_memory(configs, 4, free_memory());
+  check_memory(configs, copies, free_memory());
   std::vector<std::unique_ptr<Simulation>> runs;
   for (const Config& config : configs) runs.push_back(std::make_unique<Simulation>(start_simulation(config)));
   take(std::move(runs));
@@ -73,6 +75,9 @@ void Lockstep::resume(std::vector<Saved> saved) {
       throw InputError("", "the runs stand at different steps", "resume runs that were saved together");
     }
   }
+  std::vector<Config> configs;
+  for (const Saved& one : saved) configs.push_back(one.config);
+  check_memory(configs, copies - 1, free_memory());  // one is what was read
   for (Saved& one : saved) {
     runs.push_back(std::make_unique<Simulation>(std::move(one.config), std::move(one.state)));
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wind/bearing.h"
+#include "core/units.h"
 
 namespace erg {
 namespace {

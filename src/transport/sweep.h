@@ -86,7 +86,7 @@ struct alignas(fetched_ahead) Strip {
   Lane* ring = nullptr;                  ///< ring_rows x strip_lines, empty (0) between sub-sweeps
 };
 
-/// Slides of one sub-sweep: what all bands share.
+/// Slides of one sub-sweep, for one thread: what slides by which rules, and its room for seams.
 template <typename Lane>
 struct SlidePlan {
   PlaneLayout layout;

@@ -1,14 +1,6 @@
 // Part of sweep_kernels.inl: one strip of lines in one sub-sweep. Which slabs lift, and which stay where
 // they come down.
 
-/// Sums of per-lane counts, flushed before they can overflow.
-template <typename Lane>
-struct LaneSums {
-  static constexpr int rows_before_flush = 120;
-  alignas(64) Lane polls[strip_lines];
-  alignas(64) Lane lifts[strip_lines];
-};
-
 template <typename Lane>
 class Conveyor {
  public:
@@ -384,7 +376,7 @@ class Conveyor {
     flight_.flush_sums();
   }
 
-  // A processor fetches rows ahead by itself, but not the one cell line a row that it shares with another.
+  // A processor fetches rows ahead by itself, but not the one cache line a row that it shares with another.
   static constexpr int prefetch_rows = 8;
 
   const SweepPlan<Lane>& plan_;

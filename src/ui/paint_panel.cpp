@@ -113,7 +113,7 @@ void PaintPanel::draw_undo(Studio& studio) {
   const auto count_text = [](std::size_t count, const char* what) {
     return std::to_string(count) + (count == 1 ? " edit can be " : " edits can be ") + what + ".";
   };
-  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  const float half = share_of_width(2);
   if (button("UNDO", {.tooltip = "The ground exactly as it was before the last stroke, the clock too. " +
                                  count_text(now.undo_count, "undone"),
                       .unavailable = now.undo_count == 0 ? "Nothing was painted." : "",

@@ -58,8 +58,6 @@ Program::~Program() {
 
 void Program::send(int signal) const { kill(process_, signal); }
 
-std::string Program::errors_so_far() const { return read_bytes(errors_); }
-
 Ended Program::wait() {
   int status = 0;
   rusage used{};

@@ -44,7 +44,6 @@ class Program {
 
   void send(int signal) const;
   /// Standard error so far.
-  std::string errors_so_far() const;
   Ended wait();
 
  private:

@@ -14,6 +14,7 @@
 #include "io/atomic_file.h"
 #include "io/camera_file.h"
 #include "io/config_file.h"
+#include "io/start_simulation.h"
 #include "sim/memory.h"
 #include "small_config.h"
 #include "snapshot_of.h"
@@ -266,6 +267,21 @@ TEST_F(ShortMemory, AComparisonThatDoesNotFitIsRefusedWhereEachRunAloneWouldFit)
   settle();
   expect_the_small_land();
   EXPECT_GT(studio.log().count(LogLevel::error), 0u);
+}
+
+TEST_F(ShortMemory, ASavedRunThatFitsWithoutItsCopiesOnlyIsRefused) {
+  Config large = small_config();
+  for (const char* side : {"nx", "ny"}) large.grid.set(side, std::int64_t{4096});
+  std::vector<Saved> saved;
+  saved.push_back({large, start_simulation(large).state()});
+  const LimitRestored restored(RLIMIT_AS);
+  limit_memory(rlim_t{550} << 20);
+  EXPECT_NO_THROW(check_memory({&large, 1}, 0, free_memory()));
+  studio.runner().resume(std::move(saved));
+  settle();
+  expect_the_small_land();
+  EXPECT_NE(studio.log().text(LogLevel::error).find("grid: 4096 x 4096 cells need "), std::string::npos)
+      << studio.log().text();
 }
 
 TEST(Runner, AStepWithoutMemoryIsSaidInWordsAndTheRunsStandAsTheyWere) {
