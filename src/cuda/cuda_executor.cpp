@@ -8,8 +8,7 @@ constexpr std::size_t most_remembered = 256;
 
 }  // namespace
 
-CudaExecutor::CudaExecutor(const ExecutorOptions& options, std::unique_ptr<DeviceCalls> calls)
-    : cpu_(options), sweeps_(options.sweeps) {
+CudaExecutor::CudaExecutor(const ExecutorOptions& options, std::unique_ptr<DeviceCalls> calls) : cpu_(options) {
   try {
     device_ = std::make_unique<Device>(std::move(calls));
   } catch (const DeviceError& error) {
@@ -58,17 +57,10 @@ StepReport CudaExecutor::drift_snow(Terrain& terrain, const SnowStep& snow, cons
 
 StepReport CudaExecutor::step_on_device(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
-  if (holder_ != Holder::slabs || !holds(terrain)) {
-    bring_back(terrain);
-    forget();
-    free_all_but(Holder::slabs);
-    if (!slabs_) slabs_ = std::make_unique<DeviceSlabs>(*device_, sweeps_);
-    slabs_->load(terrain, frame);
-    take_up(Holder::slabs, terrain);
-  }
-  slabs_->count_lifts(lift_counts() != nullptr);
-  const StepReport report = slabs_->step(law, frame, wind.strength, key);
-  if (lift_counts() != nullptr) slabs_->take_lift_counts(*lift_counts());
+  DeviceSlabs& slabs = held_as(slabs_, terrain, frame, sub_sweeps());
+  slabs.count_lifts(lift_counts() != nullptr);
+  const StepReport report = slabs.step(law, frame, wind.strength, key);
+  if (lift_counts() != nullptr) slabs.take_lift_counts(*lift_counts());
   terrain.ledger().in += report.slabs_in;
   terrain.ledger().out += report.slabs_out;
   remember(again(law, wind, key), terrain);
@@ -78,30 +70,16 @@ StepReport CudaExecutor::step_on_device(Terrain& terrain, const SlabLaw& law, co
 GrainReport CudaExecutor::fly_on_device(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                                         const GroundLook& look) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
-  if (holder_ != Holder::grains || !holds(terrain)) {
-    bring_back(terrain);
-    forget();
-    free_all_but(Holder::grains);
-    if (!grains_) grains_ = std::make_unique<DeviceGrains>(*device_);
-    grains_->load(terrain, frame);
-    take_up(Holder::grains, terrain);
-  }
-  const GrainReport report = book_grains(terrain, grains_->step(terrain, law, frame, key, look, lift_counts()));
+  DeviceGrains& grains = held_as(grains_, terrain, frame);
+  const GrainReport report = book_grains(terrain, grains.step(terrain, law, frame, key, look, lift_counts()));
   remember([this, law, wind, key](Terrain& ground) { cpu_.fly_grains(ground, law, wind, key, {}); }, terrain);
   return report;
 }
 
 StepReport CudaExecutor::drift_on_device(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
-  if (holder_ != Holder::snow || !holds(terrain)) {
-    bring_back(terrain);
-    forget();
-    free_all_but(Holder::snow);
-    if (!snow_) snow_ = std::make_unique<DeviceSnow>(*device_, sweeps_);
-    snow_->load(terrain, frame);
-    take_up(Holder::snow, terrain);
-  }
-  const StepReport report = snow_->step(terrain, snow, frame, key, lift_counts());
+  DeviceSnow& drifting = held_as(snow_, terrain, frame, sub_sweeps());
+  const StepReport report = drifting.step(terrain, snow, frame, key, lift_counts());
   terrain.ledger().in += report.slabs_in;
   terrain.ledger().out += report.slabs_out;
   remember([this, snow, wind, key](Terrain& ground) { cpu_.drift_snow(ground, snow, wind, key); }, terrain);
@@ -110,27 +88,38 @@ StepReport CudaExecutor::drift_on_device(Terrain& terrain, const SnowStep& snow,
 
 // --- what the device holds ---
 
-/// Gives back the memory of other ways to hold a terrain.
-void CudaExecutor::free_all_but(Holder holder) {
-  if (holder != Holder::slabs) slabs_.reset();
-  if (holder != Holder::grains) grains_.reset();
-  if (holder != Holder::snow) snow_.reset();
+/// Gives back the memory of other ways to hold a terrain before it takes its own.
+template <typename Held, typename... More>
+Held& CudaExecutor::held_as(std::unique_ptr<Held>& held, Terrain& terrain, const WindFrame& frame, More... more) {
+  if (held && holds(terrain)) return *held;
+  bring_back(terrain);
+  forget();
+  std::unique_ptr<Held> kept = std::move(held);
+  free_all();
+  held = kept ? std::move(kept) : std::make_unique<Held>(*device_, more...);
+  held->load(terrain, frame);
+  take_up(terrain);
+  return *held;
+}
+
+void CudaExecutor::free_all() {
+  slabs_.reset();
+  grains_.reset();
+  snow_.reset();
 }
 
 bool CudaExecutor::holds(const Terrain& terrain) const {
-  if (holder_ == Holder::none || loaded_ != &terrain || revision_ != terrain.revision()) return false;
-  return holder_ == Holder::slabs || fields_revision_ == terrain.fields_revision();
+  if (loaded_ != &terrain || revision_ != terrain.revision()) return false;
+  return slabs_ || fields_revision_ == terrain.fields_revision();
 }
 
-void CudaExecutor::take_up(Holder holder, const Terrain& terrain) {
-  holder_ = holder;
+void CudaExecutor::take_up(const Terrain& terrain) {
   loaded_ = &terrain;
   revision_ = terrain.revision();
   fields_revision_ = terrain.fields_revision();
 }
 
 void CudaExecutor::forget() {
-  holder_ = Holder::none;
   loaded_ = nullptr;
   done_.clear();
   cover_.reset();
@@ -159,10 +148,10 @@ void CudaExecutor::remember(Again step, Terrain& terrain) {
 /// Brings the terrain back if the device has changed it.
 void CudaExecutor::bring_back(Terrain& terrain) {
   if (!holds(terrain) || done_.empty()) return;
-  if (holder_ == Holder::slabs) slabs_->settle(terrain);
-  if (holder_ == Holder::grains) grains_->settle(terrain);
-  if (holder_ == Holder::snow) snow_->settle(terrain);
-  take_up(holder_, terrain);
+  if (slabs_) slabs_->settle(terrain);
+  if (grains_) grains_->settle(terrain);
+  if (snow_) snow_->settle(terrain);
+  take_up(terrain);
   done_.clear();
   cover_.reset();
 }
@@ -188,7 +177,7 @@ void CudaExecutor::give_up(Terrain& terrain, const std::string& why) {
     terrain.ledger() = booked;
   }
   forget();
-  free_all_but(Holder::none);
+  free_all();
   device_.reset();
 }
 

@@ -41,8 +41,6 @@ class CudaExecutor : public Executor {
   std::string device_name() const { return device_ ? device_->name() : std::string(); }
 
  private:
-  /// What the device holds the terrain as, if it holds one.
-  enum class Holder { none, slabs, grains, snow };
   /// A step that the device has done, to be done again by the processor.
   using Again = std::function<void(Terrain& terrain)>;
 
@@ -53,21 +51,23 @@ class CudaExecutor : public Executor {
   Again again(const SlabLaw& law, const WindNow& wind, StepKey key);
   void remember(Again step, Terrain& terrain);
   void bring_back(Terrain& terrain);
-  void take_up(Holder holder, const Terrain& terrain);
-  void free_all_but(Holder holder);
+  /// `held` with the terrain on the device, made of the device and `more` where there is none.
+  template <typename Held, typename... More>
+  Held& held_as(std::unique_ptr<Held>& held, Terrain& terrain, const WindFrame& frame, More... more);
+  void take_up(const Terrain& terrain);
+  void free_all();
   void forget();
   void give_up(Terrain& terrain, const std::string& why);
   bool holds(const Terrain& terrain) const;
 
   ParallelExecutor cpu_;
-  int sweeps_;
   std::unique_ptr<Device> device_;
-  std::unique_ptr<DeviceSlabs> slabs_;  // these are freed before the device
+  // What holds a terrain on the device: one of them at most. They are freed before the device.
+  std::unique_ptr<DeviceSlabs> slabs_;
   std::unique_ptr<DeviceGrains> grains_;
   std::unique_ptr<DeviceSnow> snow_;
   std::string notice_;
-  Holder holder_ = Holder::none;
-  const Terrain* loaded_ = nullptr;
+  const Terrain* loaded_ = nullptr;  // what the device holds, if it holds one
   std::uint64_t revision_ = 0;
   std::uint64_t fields_revision_ = 0;
   std::vector<Again> done_;                  // since the terrain's layers were up to date

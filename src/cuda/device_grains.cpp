@@ -110,10 +110,7 @@ GrainTally DeviceGrains::step(const Terrain& terrain, const GrainStepLaw& law, c
   GrainTallyWords sum{};
   const std::vector<TallyWord> words = device_.fetch(tally_.data(), tally_.size());
   for (std::size_t k = 0; k < words.size(); ++k) sum.of[k % tally_words] += static_cast<std::int64_t>(words[k]);
-  if (lift_counts != nullptr) {
-    const std::vector<std::int32_t> lifts = layers_.bring_back(lifted_, frame_);
-    for (std::size_t cell = 0; cell < lifts.size(); ++cell) (*lift_counts)[cell] += lifts[cell];
-  }
+  if (lift_counts != nullptr) layers_.add_to(*lift_counts, lifted_, frame_);
   return std::bit_cast<GrainTally>(sum);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/grid.h"
 #include "cuda/device.h"
 #include "cuda/device_plan.h"
 #include "wind/wind_frame.h"
@@ -30,6 +31,11 @@ class DeviceLayers {
   std::vector<std::int32_t> bring_back(const DeviceLayer& layer, const WindFrame& frame) {
     move(LayerKernel::stage, layer, frame);
     return device_.fetch(staged_.data(), staged_.size());
+  }
+  /// Adds a layer to numbers in the terrain's order.
+  void add_to(Grid<std::int32_t>& sums, const DeviceLayer& layer, const WindFrame& frame) {
+    const std::vector<std::int32_t> numbers = bring_back(layer, frame);
+    for (std::size_t cell = 0; cell < numbers.size(); ++cell) sums[cell] += numbers[cell];
   }
   /// Lays layers out for a wind from another side.
   void turn(const std::vector<const DeviceLayer*>& layers, const WindFrame& from, const WindFrame& to) {

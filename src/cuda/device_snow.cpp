@@ -110,10 +110,7 @@ StepReport DeviceSnow::step(const Terrain& terrain, const SnowStep& snow, const 
   slide(plan, key);
   rest(plan, snow);
   const SlabCounts counts = read_counts(device_, tally_);
-  if (lift_counts != nullptr) {
-    const std::vector<std::int32_t> lifts = layers_.bring_back(lifted_, frame_);
-    for (std::size_t cell = 0; cell < lifts.size(); ++cell) (*lift_counts)[cell] += lifts[cell];
-  }
+  if (lift_counts != nullptr) layers_.add_to(*lift_counts, lifted_, frame_);
   StepReport report;
   report.polls = cells();
   report.lifts = counts.of[tally_lifts];
@@ -148,9 +145,9 @@ SnowPlan DeviceSnow::step_plan(const Terrain& terrain, const SnowStep& snow, Ste
   plan.shadow_fall = snow.shadow_fall;
   plan.tangent = frame_.tangent;
   plan.cosine = frame_.cosine;
-  // Half the difference of two neighbours is the slope in slabs a cell.
-  plan.along = static_cast<float>(0.5 * frame_.cosine * snow.law.slope_scale);
-  plan.across = static_cast<float>(0.5 * frame_.tangent * frame_.cosine * snow.law.slope_scale);
+  const SnowSlopes slopes = snow_slopes(snow.law, frame_.tangent, frame_.cosine);
+  plan.along = static_cast<float>(slopes.along);
+  plan.across = static_cast<float>(slopes.across);
   plan.cells = cells_.data();
   plan.over = over_.data();
   plan.left = left_.data();

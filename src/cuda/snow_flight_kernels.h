@@ -60,6 +60,17 @@ __global__ void snow_find_runs(SnowPlan plan) {
   }
 }
 
+/// Strength of the uppermost bonded snow in a cell of the terrain. Not a lambda: one of a kernel is the device's alone,
+/// and rules are for the host too.
+struct StrengthAt {
+  const SnowLaw& law;
+  std::int32_t place;
+  std::int32_t nx;
+  std::int32_t mobile;
+
+  ERG_CELL_RULE float operator()() const { return snow_strength(law, place % nx, place / nx, mobile); }
+};
+
 /// A line on its way through the sub-sweeps.
 class SnowLine {
  public:
@@ -137,7 +148,7 @@ class SnowLine {
     std::int32_t loose = loose_of(before);
     const std::uint32_t rest = last ? certain : chance_to_stay(plan_.rests, before, cell.hops);
     if (loose == 0 && mobile > 0) {
-      loose += strikes(cell, here, row, arriving, mix32(static_cast<std::uint32_t>(word >> 32)));
+      loose += strikes(cell, here, row, arriving, word);
     }
     for (std::uint32_t slabs = slabs_of(arriving); slabs > 0; --slabs, word = mix64(word)) {
       if (snow_stays(word, rest)) {
@@ -155,20 +166,12 @@ class SnowLine {
 
   /// How many slabs of bonded snow the impacts on a cell free.
   __device__ std::int32_t strikes(const SnowCell& cell, std::int32_t here, std::int32_t row, std::uint64_t arriving,
-                                  std::uint32_t word) const {
+                                  std::uint64_t word) const {
     if (abrasion_of(cell.hops) <= 0) return 0;
     const std::int32_t mobile = mobile_of(cell.snow);
     const float power = strike_power(*plan_.law, cell.hops, arriving, rise(mobile + plan_.ground.bedrock[here], row));
-    if (power <= 0) return 0;
     const auto place = static_cast<std::int32_t>(plan_.order.place(here));
-    std::int32_t freed = 0;
-    for (std::uint32_t slab = 0; slab < slabs_of(arriving); ++slab) {
-      const float drawn = unit_24(word);
-      word = next_snow_word(word);
-      if (!may_free(*plan_.law, drawn, power)) continue;
-      if (drawn * snow_strength(*plan_.law, place % plan_.nx, place / plan_.nx, mobile) < power) ++freed;
-    }
-    return freed;
+    return freed_slabs(*plan_.law, arriving, word, power, StrengthAt{*plan_.law, place, plan_.nx, mobile});
   }
 
   /// Slabs by which a surface stands over the cell upwind. Behind the torus edge that is as it was before the flights.

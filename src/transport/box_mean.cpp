@@ -35,7 +35,7 @@ class BoxSums {
         columns_(static_cast<std::size_t>(width_)),
         extended_(static_cast<std::size_t>(width_ + 2 * radius)) {}
 
-  /// A row enters the squares and another leaves them; null: none.
+  /// A row enters the squares and another leaves them; null: none leaves.
   void move(const std::uint16_t* entering, const std::uint16_t* leaving) {
     kernels_.add_numbers(entering, leaving, columns_.data(), width_);
   }

@@ -1,5 +1,5 @@
 // The rules of one cell of drifting, bonding snow, for every executor: how strongly the wind lifts it, where a slab
-// that flies comes down, what an impact frees, when loose snow slides and bonds. Plain arithmetic, no state, no libm.
+// that flies comes down, what an impact frees, how snow bonds. Plain arithmetic, no state, no libm.
 #pragma once
 
 #include <cstdint>
@@ -195,12 +195,6 @@ ERG_CELL_RULE int longest_snow_hop(std::uint32_t mean_64) { return static_cast<i
 /// rows are fewer than 2^15 rounds down as that of whole numbers does.
 ERG_CELL_RULE std::uint32_t share_of_hop(int flown, int whole) {
   return static_cast<std::uint32_t>(static_cast<int>(static_cast<float>(flown * 256) / static_cast<float>(whole)));
-}
-
-/// The random word of a row for what lifts there; that of a line in it is mix64(word + line). What comes down takes the
-/// complement.
-ERG_CELL_RULE std::uint64_t flight_row_word(std::uint32_t sweep_key, int row) {
-  return mix64((std::uint64_t{sweep_key} << 32) + static_cast<std::uint64_t>(row));
 }
 
 /// Height over the smoothed surface at which a slab that leaves here flies; higher ground ends its hop.

@@ -88,6 +88,7 @@ void poll(const SnowPolls& polls, const SnowLines& lines, std::int32_t* __restri
   }
 }
 
+/// Slabs that lift and hop: snow_line_word and snow_hop in lanes of 32 bits.
 void lift(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, SnowLifts& lifts) {
   alignas(64) std::int32_t row[snow_lines];
   alignas(64) std::uint32_t lifted[snow_lines];
@@ -151,12 +152,12 @@ void lift(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, Sn
   lifts.rows_flown = rows_flown;
 }
 
-/// Puts a slab into the air, or where `flies` is 0 does nothing.
+/// Puts a slab into the air with what it adds to a load, or where `flies` is 0 does nothing.
 [[gnu::always_inline]] inline void send(const SnowAir& air, std::uint64_t flies, int line, int row,
-                                        std::uint32_t share) {
+                                        std::uint64_t load) {
   const int window = row / snow_window & (air.windows - 1);
   const int place = row & (air.windows * snow_window - 1);
-  air.loads[line * air.next_line + place] += -flies & (one_slab + share);
+  air.loads[line * air.next_line + place] += -flies & load;
   air.falls[window * snow_lines + line] |= flies << (row & (snow_window - 1));
 }
 
@@ -177,9 +178,9 @@ struct Arrivals {
   int count = 0;
   int hards = 0;
   int crowds = 0;
-  alignas(64) std::int32_t line[snow_lines];
-  alignas(64) std::int32_t row[snow_lines];   // of the window
-  alignas(64) std::int32_t cell[snow_lines];  // of the strip
+  alignas(64) std::int32_t line[snow_lines] = {};
+  alignas(64) std::int32_t row[snow_lines] = {};  // of the window
+  alignas(64) std::int32_t cell[snow_lines];      // of the strip
   alignas(64) std::uint64_t load[snow_lines];
   alignas(64) std::uint64_t word[snow_lines];
   alignas(64) SnowCell found[snow_lines];  // the cells before
@@ -219,13 +220,14 @@ void take_first(const SnowLines& lines, int first_row, std::uint64_t within, con
     all.hard[hards] = k;
     hards += (here.snow & 0xffff) == 0 && here.snow != 0 ? 1 : 0;
     all.crowd[crowds] = k;
-    crowds += load >= 2 * one_slab ? 1 : 0;
+    crowds += slabs_of(load) > 1 ? 1 : 0;
   }
   all.hards = hards;
   all.crowds = crowds;
 }
 
-/// What becomes of the first slab of each load. It decides on the snow as it finds it.
+/// What becomes of the first slab of each load. It decides on the snow as it finds it: snow_line_word, chance_to_stay,
+/// snow_stays, snow_carried_off and snow_hop in lanes of 32 bits.
 void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_words, int first_row, Arrivals& all,
             SnowAir& air) {
   const std::uint32_t rest_loose = landings.rests.loose;
@@ -298,16 +300,15 @@ void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_wo
 /// The slabs of a load that are not the first.
 void decide_others(const SnowLandings& landings, int first_row, Arrivals& all, int k, SnowAir& air) {
   std::uint64_t word = all.word[k];
-  for (std::uint64_t slabs = all.load[k] / one_slab; slabs > 1; --slabs) {
+  for (std::uint32_t slabs = slabs_of(all.load[k]); slabs > 1; --slabs) {
     word = mix64(word);
-    const std::uint32_t stay = (word & 0xffff) < all.rest[k] ? 1 : 0;
-    const std::uint32_t off = (word >> 16 & 0xffff) < landings.rests.suspension ? 1 : 0;
+    const std::uint32_t stay = snow_stays(word, all.rest[k]) ? 1 : 0;
+    const std::uint32_t off = snow_carried_off(word, landings.rests) ? 1 : 0;
     const std::uint32_t flies = (stay | off) ^ 1;
-    const int whole = snow_hop_rows(all.found[k].hops, static_cast<std::uint32_t>(word >> 32));
-    const int flown = whole < all.found[k].run ? whole : all.found[k].run;
-    send(air, flies, all.line[k], first_row + all.row[k] + flown, share_of_hop(flown, whole));
+    const SnowHop hop = snow_hop(all.found[k], static_cast<std::uint32_t>(word >> 32));
+    send(air, flies, all.line[k], first_row + all.row[k] + hop.rows, hop.load);
     all.stays[k] += stay;
-    air.rows_flown += flown & -static_cast<int>(flies);
+    air.rows_flown += hop.rows & -static_cast<int>(flies);
     air.carried_off += off & (stay ^ 1);
   }
 }
@@ -335,16 +336,9 @@ void strike(const SnowLandings& landings, int first_row, Arrivals& all, int k) {
   }
   const std::int32_t surface = mobile_of(snow) + (ground != nullptr ? ground[here] : 0);
   const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface - upwind);
-  const std::uint32_t slabs = slabs_of(all.load[k]);
   const float power = strike_power(*landings.law, all.found[k].hops, all.load[k], rise);
-  if (power <= 0) return;
-  std::uint32_t word = mix32(static_cast<std::uint32_t>(all.word[k] >> 32));
-  std::int32_t freed = 0;
-  for (std::uint32_t slab = 0; slab < slabs; ++slab) {
-    const float drawn = unit_24(word);
-    word = next_snow_word(word);
-    if (may_free(*landings.law, drawn, power) && drawn * strength_at(landings, row, all.line[k], snow) < power) ++freed;
-  }
+  const std::int32_t freed = freed_slabs(*landings.law, all.load[k], all.word[k], power,
+                                         [&] { return strength_at(landings, row, all.line[k], snow); });
   const std::int32_t most = mobile_of(snow);
   all.snow[k] += static_cast<std::uint32_t>(freed < most ? freed : most);
 }
@@ -356,9 +350,8 @@ void land(const SnowLandings& landings, const std::uint64_t* row_words, int firs
   const std::uint64_t* const falls = here.falls + (first_row / snow_window & (here.windows - 1)) * snow_lines;
   const int rows = end - first_row;
   const std::uint64_t within = rows < snow_window ? (std::uint64_t{1} << rows) - 1 : ~std::uint64_t{0};
-  std::int32_t active[snow_lines + 1];
+  std::int32_t active[snow_lines];
   Arrivals all;
-  for (int k = 0; k < snow_lines; ++k) all.row[k] = all.found[k].run = 0, all.found[k].hops = 0;
   for (int line = 0; line < lines.lines; ++line) {
     active[all.count] = line;
     all.count += (falls[line] & within) != 0 && (among >> line & 1) != 0 ? 1 : 0;

@@ -1,6 +1,5 @@
-// The rules of slabs of snow in flight, for every executor that works in
-// sub-sweeps: who lifts, how far a slab hops, what becomes of those that come
-// down. Plain arithmetic, no state, no libm.
+// The rules of slabs of snow in flight, for every executor that works in sub-sweeps: who lifts, how far a slab hops,
+// what becomes of those that come down. Plain arithmetic, no state, no libm.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +8,7 @@
 
 namespace erg {
 
-/// A cell of a line, held together because a slab that lifts or comes down
-/// needs all of it.
+/// A cell of a line, held together because a slab that lifts or comes down needs all of it.
 struct alignas(16) SnowCell {
   std::uint32_t snow = 0;     ///< snow_word
   std::uint32_t chances = 0;  ///< SnowWeather
@@ -33,6 +31,10 @@ struct SnowSweep {
 
 // --- random words ---
 
+/// Of a row, for what lifts there; what comes down takes the complement. That of a line in it: snow_line_word.
+ERG_CELL_RULE std::uint64_t flight_row_word(std::uint32_t sweep_key, int row) {
+  return mix64((std::uint64_t{sweep_key} << 32) + static_cast<std::uint64_t>(row));
+}
 /// Of a line in a row, from flight_row_word.
 ERG_CELL_RULE std::uint64_t snow_line_word(std::uint64_t row_word, int line) {
   return mix64(row_word + static_cast<std::uint64_t>(line));
@@ -40,9 +42,8 @@ ERG_CELL_RULE std::uint64_t snow_line_word(std::uint64_t row_word, int line) {
 /// A further word.
 ERG_CELL_RULE std::uint32_t next_snow_word(std::uint32_t word) { return mix32(word + 0x85ebca6bu); }
 
-/// The key of the polls of a block of rows that begins at `row`: one
-/// permutation of its rows for all sub-sweeps of the step. The upper byte of a
-/// line's word says which row of the block is polled.
+/// The key of the polls of a block of rows that begins at `row`: one permutation of its rows for all sub-sweeps of the
+/// step. The upper byte of a line's word says which row of the block is polled.
 ERG_CELL_RULE std::uint32_t snow_poll_key(const SnowSweep& sweep, int row) {
   return mix32(sweep.step_key + static_cast<std::uint32_t>(row) * 0x9e3779b9u);
 }
@@ -52,8 +53,7 @@ ERG_CELL_RULE std::uint32_t snow_poll_word(std::uint32_t poll_key, std::uint32_t
 
 // --- lifting ---
 
-/// Whether a polled cell lets a slab go. `sweep_key`: chances are the
-/// sub-sweep's own.
+/// Whether a polled cell lets a slab go. `sweep_key`: chances are the sub-sweep's own.
 ERG_CELL_RULE bool snow_lifts(std::uint32_t poll_word, std::uint32_t sweep_key, std::uint32_t snow,
                               std::uint32_t chances) {
   return (mix32(poll_word ^ sweep_key) >> 16) < lift_chance_of(snow, chances);
@@ -61,8 +61,8 @@ ERG_CELL_RULE bool snow_lifts(std::uint32_t poll_word, std::uint32_t sweep_key, 
 
 // --- flying ---
 
-/// Slabs that come down in a cell together: how many, and in the lower half the
-/// shares of hops that they flew, each of `whole_hop`.
+/// Slabs that come down in a cell together: how many, and in the lower half the shares of hops that they flew, each of
+/// `whole_hop`.
 inline constexpr std::uint64_t one_slab = std::uint64_t{1} << 32;
 inline constexpr std::uint32_t whole_hop = 256;
 ERG_CELL_RULE std::uint32_t slabs_of(std::uint64_t load) { return static_cast<std::uint32_t>(load >> 32); }
@@ -85,8 +85,7 @@ ERG_CELL_RULE int entering_slabs(double inflow, int sweeps, std::uint32_t word) 
 ERG_CELL_RULE std::uint32_t entering_word(const SnowSweep& sweep, int line) {
   return mix32(sweep.key ^ mix32(static_cast<std::uint32_t>(line) * 0x9e3779b9u + 1));
 }
-/// Rows to where a slab that enters over this cell comes down: where in its hop
-/// it crosses the edge is random.
+/// Rows to where a slab that enters over this cell comes down: where in its hop it crosses the edge is random.
 ERG_CELL_RULE int entering_rows(const SnowCell& cell, std::uint32_t word) {
   if (mean_hop_64(cell.hops) == 0) return 0;
   const std::uint32_t part = mean_hop_64(cell.hops) * (word >> 16) >> 16;
@@ -122,12 +121,27 @@ ERG_CELL_RULE bool snow_carried_off(std::uint64_t word, const SnowRests& rests) 
   return (word >> 16 & 0xffff) < rests.suspension;
 }
 
-/// The power with which each slab of a load strikes bonded snow. `rise`: slabs
-/// from the cell upwind.
+/// The power with which each slab of a load strikes bonded snow. `rise`: slabs from the cell upwind.
 ERG_CELL_RULE float strike_power(const SnowLaw& law, std::uint32_t hops, std::uint64_t load, float rise) {
   const float flown =
       static_cast<float>(static_cast<std::uint32_t>(load)) / static_cast<float>(slabs_of(load) * whole_hop);
   return abrasion_of(hops) * impact_share(law, rise) * flown;
+}
+
+/// How many slabs of bonded snow the impacts of a load free, if there are so many. `landing_word`: the line's word for
+/// what comes down; `strength()`: of the uppermost bonded snow, looked up only where it matters.
+template <typename Strength>
+ERG_CELL_RULE std::int32_t freed_slabs(const SnowLaw& law, std::uint64_t load, std::uint64_t landing_word, float power,
+                                       const Strength& strength) {
+  if (power <= 0) return 0;
+  std::uint32_t word = mix32(static_cast<std::uint32_t>(landing_word >> 32));
+  std::int32_t freed = 0;
+  for (std::uint32_t slab = 0; slab < slabs_of(load); ++slab) {
+    const float drawn = unit_24(word);
+    word = next_snow_word(word);
+    if (may_free(law, drawn, power) && drawn * strength() < power) ++freed;
+  }
+  return freed;
 }
 
 }  // namespace erg

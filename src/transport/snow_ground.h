@@ -1,6 +1,5 @@
-// The rules of snow that lies: which edges slide, where falling snow comes to
-// rest, how shadow lines run. For every executor; on the processor in the
-// terrain's order, on a graphics card in the wind's frame.
+// The rules of snow that lies: which edges slide, where falling snow comes to rest, how shadow lines run. For every
+// executor; on the processor in the terrain's order, on a graphics card in the wind's frame.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +10,7 @@
 
 namespace erg {
 
-/// The layers that snow moves. Cell (u, v) of the wind's frame is cell origin +
-/// u * step_u + v * step_v of them.
+/// The layers that snow moves. Cell (u, v) of the wind's frame is cell origin + u * step_u + v * step_v of them.
 struct SnowGround {
   int width = 0;
   int length = 0;
@@ -53,8 +51,7 @@ ERG_CELL_RULE int falling_slabs(const SnowLaw& law, std::uint64_t word) {
   return static_cast<int>(law.snowfall + unit_24(static_cast<std::uint32_t>(word)));
 }
 
-/// The lowest of the nine cells around a place, where snow that falls there
-/// comes to rest; of equals one at random.
+/// The lowest of the nine cells around a place, where snow that falls there comes to rest; of equals one at random.
 ERG_CELL_RULE std::size_t lowest_of_nine(const SnowGround& ground, int u, int v, std::uint64_t word) {
   std::size_t lowest = ground.cell(u, v);
   for (int k = 0; k < 9; ++k) {
@@ -68,8 +65,7 @@ ERG_CELL_RULE std::size_t lowest_of_nine(const SnowGround& ground, int u, int v,
   return lowest;
 }
 
-/// A loose slab slides over the edge between two cells if it is steeper than
-/// what stands; false if none does.
+/// A loose slab slides over the edge between two cells if it is steeper than what stands; false if none does.
 ERG_CELL_ACT bool slide_snow(const SnowGround& ground, std::size_t a, std::size_t b, const SnowLaw& law) {
   const std::int32_t difference = ground.surface(a) - ground.surface(b);
   if (difference <= law.standing && -difference <= law.standing) return false;
@@ -84,8 +80,17 @@ ERG_CELL_ACT bool slide_snow(const SnowGround& ground, std::size_t a, std::size_
   return true;
 }
 
-/// Shadow lines of a step. They follow the wind from row to row of its frame;
-/// heights and falls are in fixed point.
+/// Factors of the slope along the wind: of the difference of a cell's two neighbours along the frame and across it.
+struct SnowSlopes {
+  double along;
+  double across;
+};
+/// Half that difference is the slope in slabs a cell.
+ERG_CELL_RULE SnowSlopes snow_slopes(const SnowLaw& law, double tangent, double cosine) {
+  return {0.5 * cosine * law.slope_scale, 0.5 * tangent * cosine * law.slope_scale};
+}
+
+/// Shadow lines of a step. They follow the wind from row to row of its frame; heights and falls are in fixed point.
 struct SnowShadow {
   std::int64_t fall_far = 0;   ///< a row
   std::int64_t fall_near = 0;  ///< to the next row, of the cell before alone
@@ -97,8 +102,7 @@ struct SnowShadow {
   ERG_CELL_RULE std::int64_t sideways(int row) const { return (row * tangent_24 + (std::int64_t{1} << 23)) >> 24; }
 };
 
-/// `fall`: of the shadow, slabs a cell; `relief`: slabs from the lowest surface
-/// to the highest.
+/// `fall`: of the shadow, slabs a cell; `relief`: slabs from the lowest surface to the highest.
 ERG_CELL_RULE SnowShadow snow_shadow(double fall, double tangent, double cosine, bool open, int length, int relief) {
   const double reach = static_cast<double>(relief) * cosine / (fall > 1e-6 ? fall : 1e-6) + 3;
   const int limit = 2 * length;

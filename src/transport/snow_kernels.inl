@@ -187,7 +187,6 @@ void shade(const SnowShadowRow& row) {
 
 template <typename Sum, typename Number>
 void add_row(const Number* __restrict entering, const Number* __restrict leaving, Sum* __restrict columns, int count) {
-  if (entering == nullptr) return;
   if (leaving == nullptr) {
     ERG_EACH(i, count) columns[i] += static_cast<Sum>(entering[i]);
     return;

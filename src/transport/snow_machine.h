@@ -3,8 +3,8 @@
 // A step has four phases. *Weather*: the smoothed surface, the wind over it, the wind shadow, and from them each cell's
 // chances, hops and height for this step. *Flights*: on an executor without sub-sweeps one slab after the other in
 // random order, each seeing what the last one left; else SnowFlights. *Slides*: loose snow down too steep edges, class
-// by class of edges that share no cell. *Rest*: snow falls, bonds and ages. Both ways use the rules of snow_cell.h;
-// results depend on no number of threads and no instruction set.
+// by class of edges that share no cell. *Rest*: snow falls, bonds and ages. Both ways use the rules of snow_cell.h and
+// snow_ground.h; results depend on no number of threads and no instruction set.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,6 @@
 // Slides of SnowMachine: loose snow goes down too steep edges, class by class of edges that share no cell.
 #include <algorithm>
 #include <atomic>
-#include <utility>
 
 #include "transport/snow_draws.h"
 #include "transport/snow_machine.h"

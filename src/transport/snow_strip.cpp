@@ -1,7 +1,6 @@
 #include "transport/snow_strip.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "transport/sub_sweep.h"
 
@@ -42,20 +41,11 @@ void SnowStrip::for_cells(int begin, int end, const Visit& visit) const {
   }
   // Oblique lines cross the terrain's rows: a part of all lines at a time, so that what they meet is still at hand.
   constexpr int rows_at_once = 64;
-  const bool straight = plan_.drift == 0 && end <= frame.length;
   for (int first = begin; first < end; first += rows_at_once) {
     const int rows = std::min(rows_at_once, end - first);
     for (int line = 0; line < lines; ++line) {
       const std::size_t here = at(first, line);
-      if (straight) {
-        const auto cell = static_cast<std::ptrdiff_t>(cell_of(first, line));
-        const std::ptrdiff_t step = frame.step_v;
-        for (int k = 0; k < rows; ++k) {
-          visit(here + static_cast<std::size_t>(k), static_cast<std::size_t>(cell + k * step));
-        }
-      } else {
-        for (int k = 0; k < rows; ++k) visit(here + static_cast<std::size_t>(k), cell_of(first + k, line));
-      }
+      for (int k = 0; k < rows; ++k) visit(here + static_cast<std::size_t>(k), cell_of(first + k, line));
     }
   }
 }
@@ -217,14 +207,12 @@ void SnowStrip::lift(int begin, int end, const SnowSweep& sweep, const std::uint
 void SnowStrip::leave_grid() {
   const int length = plan_.frame.length;
   for (int line = 0; line < lines_; ++line) {
+    if (plan_.boundary == Boundary::open) {
+      drop_out(length, line);
+      continue;
+    }
     take_all(line, length, [&](int row, std::uint64_t load) {
-      const int rows = row - length;
-      if (plan_.boundary == Boundary::torus) {
-        carried_.push_back({static_cast<std::uint32_t>(first_ + line), rows, load});
-      } else {
-        counts_.slabs_out += static_cast<std::int64_t>(load / one_slab);
-        counts_.rows_flown -= static_cast<std::int64_t>(load / one_slab) * (rows + 1);
-      }
+      carried_.push_back({static_cast<std::uint32_t>(first_ + line), row - length, load});
     });
   }
 }
@@ -330,8 +318,9 @@ void SnowStrip::enter(int row, int line, const SnowSweep& sweep) {
 /// The slabs in the air over a line have left over an open side.
 void SnowStrip::drop_out(int row, int line) {
   take_all(line, row, [&](int there, std::uint64_t load) {
-    counts_.slabs_out += static_cast<std::int64_t>(load / one_slab);
-    counts_.rows_flown -= static_cast<std::int64_t>(load / one_slab) * (there - row + 1);
+    const std::int64_t slabs = slabs_of(load);
+    counts_.slabs_out += slabs;
+    counts_.rows_flown -= slabs * (there - row + 1);
   });
 }
 

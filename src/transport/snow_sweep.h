@@ -31,7 +31,7 @@ struct SnowWeatherRow {
 /// Sums over boxes of cells, row by row.
 template <typename Sum>
 struct BoxKernels {
-  /// columns += entering - leaving; null: nothing enters, or leaves.
+  /// columns += entering - leaving; null: nothing leaves.
   void (*add_numbers)(const std::uint16_t* entering, const std::uint16_t* leaving, Sum* columns, int count);
   void (*add_sums)(const Sum* entering, const Sum* leaving, Sum* columns, int count);
   /// sums = those of `window` neighbours from each of `count` columns on. Destroys `columns`.
@@ -130,7 +130,7 @@ struct SnowAir {
 struct SnowLifts {
   int count = 0;
   std::int64_t rows_flown = 0;
-  alignas(64) std::int32_t line[snow_lines + 1];
+  alignas(64) std::int32_t line[snow_lines];
   alignas(64) std::int32_t row[snow_lines];   ///< that they lift from
   alignas(64) std::int32_t fall[snow_lines];  ///< row where they come down
   // What they add in SnowAir.

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "transport/box_mean.h"
-#include "transport/fixed_point.h"
 #include "transport/snow_machine.h"
 
 namespace erg {
@@ -41,9 +40,9 @@ void SnowMachine::measure_weather(double shadow_fall) {
 
 /// What the weather of a row is made from, but for the smoothed surface.
 SnowWeatherRow SnowMachine::weather_row(int y) const {
-  // Half the difference of two neighbours is the slope in slabs a cell.
-  const double along = 0.5 * frame_.cosine * law_->slope_scale * (frame_.step_v > 0 ? 1 : -1);
-  const double across = 0.5 * frame_.tangent * frame_.cosine * law_->slope_scale * (frame_.step_u > 0 ? 1 : -1);
+  const SnowSlopes slopes = snow_slopes(*law_, frame_.tangent, frame_.cosine);
+  const double along = slopes.along * (frame_.step_v > 0 ? 1 : -1);
+  const double across = slopes.across * (frame_.step_u > 0 ? 1 : -1);
   const std::size_t here = static_cast<std::size_t>(y) * static_cast<std::size_t>(extent_.nx);
   SnowWeatherRow row;
   row.count = extent_.nx;
