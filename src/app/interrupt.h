@@ -7,7 +7,8 @@
 namespace erg {
 
 /// While one of these lives, SIGINT, SIGTERM and SIGHUP set a flag instead of ending the program; a second
-/// SIGINT or SIGTERM ends it at once, as if nobody had listened. What was ignored when it was made (`nohup`) stays ignored.
+/// SIGINT or SIGTERM ends it at once, as if nobody had listened. What was ignored when it was made (`nohup`) stays
+/// ignored.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -15,8 +15,8 @@ namespace erg {
 /// A const view; everything it points to must outlive the drawing.
 struct TerrainView {
   const Terrain* terrain = nullptr;
-  std::vector<const Field*> fields;  ///< more fields besides the terrain's own: wind shadow, flux, age
-  std::optional<double> wind;        ///< degrees: bearing of the wind, where it blows from
+  std::vector<const Field*> fields;    ///< more fields besides the terrain's own: wind shadow, flux, age
+  std::optional<double> wind;          ///< degrees: bearing of the wind, where it blows from
   Material material = Material::sand;  ///< of the mobile layer
   std::vector<GrainPath> paths;
   /// Changes whenever anything here changes, so that an unchanged view costs nothing; 0: unknown, look at all of it.

@@ -40,7 +40,8 @@ class Assignment {
     const std::vector<std::string> matches = full_keys_matching();
     if (matches.empty()) throw InputError(place_, "unknown key " + in_quotes(key_), suggestion(key_, possible_keys()));
     if (matches.size() > 1) {
-      throw InputError(place_, in_quotes(key_) + " is found in several groups", "say which: " + joined(matches, " or "));
+      throw InputError(place_, in_quotes(key_) + " is found in several groups",
+                       "say which: " + joined(matches, " or "));
     }
     set(matches.front());
   }

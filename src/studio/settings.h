@@ -16,7 +16,7 @@ struct Settings {
   static constexpr double largest_scale = 4;
 
   bool dark = true;
-  double scale = 0;  ///< of the interface; 0: chosen from the window's size
+  double scale = 0;      ///< of the interface; 0: chosen from the window's size
   int window_width = 0;  ///< pixels; 0: as suits the screen
   int window_height = 0;
   std::map<std::string, double> layout;  ///< sizes of panels and what is folded, by names of the window's own
