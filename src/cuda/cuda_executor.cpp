@@ -18,41 +18,37 @@ CudaExecutor::CudaExecutor(const ExecutorOptions& options, std::unique_ptr<Devic
 
 // --- steps ---
 
-StepReport CudaExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
+/// Once the device has failed the processor goes on from the same state.
+template <typename OnDevice, typename OnProcessor>
+auto CudaExecutor::carry_out(Terrain& terrain, const OnDevice& on_device, const OnProcessor& on_processor) {
   if (device_) {
     try {
-      return step_on_device(terrain, law, wind, key);
+      return on_device();
     } catch (const DeviceError& error) {
       give_up(terrain, error.what());
     }
   }
   cpu_.count_lifts(lift_counts());
-  return cpu_.step(terrain, law, wind, key);
+  return on_processor();
+}
+
+StepReport CudaExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
+  return carry_out(
+      terrain, [&] { return step_on_device(terrain, law, wind, key); },
+      [&] { return cpu_.step(terrain, law, wind, key); });
 }
 
 GrainReport CudaExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                                      const GroundLook& look) {
-  if (device_) {
-    try {
-      return fly_on_device(terrain, law, wind, key, look);
-    } catch (const DeviceError& error) {
-      give_up(terrain, error.what());
-    }
-  }
-  cpu_.count_lifts(lift_counts());
-  return cpu_.fly_grains(terrain, law, wind, key, look);
+  return carry_out(
+      terrain, [&] { return fly_on_device(terrain, law, wind, key, look); },
+      [&] { return cpu_.fly_grains(terrain, law, wind, key, look); });
 }
 
 StepReport CudaExecutor::drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
-  if (device_) {
-    try {
-      return drift_on_device(terrain, snow, wind, key);
-    } catch (const DeviceError& error) {
-      give_up(terrain, error.what());
-    }
-  }
-  cpu_.count_lifts(lift_counts());
-  return cpu_.drift_snow(terrain, snow, wind, key);
+  return carry_out(
+      terrain, [&] { return drift_on_device(terrain, snow, wind, key); },
+      [&] { return cpu_.drift_snow(terrain, snow, wind, key); });
 }
 
 StepReport CudaExecutor::step_on_device(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {

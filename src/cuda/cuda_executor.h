@@ -44,6 +44,8 @@ class CudaExecutor : public Executor {
   /// A step that the device has done, to be done again by the processor.
   using Again = std::function<void(Terrain& terrain)>;
 
+  template <typename OnDevice, typename OnProcessor>
+  auto carry_out(Terrain& terrain, const OnDevice& on_device, const OnProcessor& on_processor);
   StepReport step_on_device(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key);
   GrainReport fly_on_device(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                             const GroundLook& look);
