@@ -6,11 +6,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/lib/prepare.sh
 
 install_missing
-export ASAN_OPTIONS="detect_stack_use_after_return=1:detect_leaks=1"
-export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/leaks.txt:print_suppressions=0"
-export UBSAN_OPTIONS="print_stacktrace=1:halt_on_error=1"
-export TSAN_OPTIONS="halt_on_error=1:second_deadlock_stack=1"
-
 # Builds a preset's tests of these folders and runs those whose names fit.
 check() {
   local preset=$1 tests=$2

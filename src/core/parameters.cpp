@@ -42,6 +42,10 @@ std::optional<Number> number_from(std::string_view text) {
 
 std::string shown(const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
+  const auto* curve = std::get_if<PiecewiseLinear>(&value);
+  if (curve != nullptr && curve->vertices.size() > most_vertices) {
+    return std::to_string(curve->vertices.size()) + " vertices";
+  }
   return text != nullptr ? in_quotes(*text) : value_text(value);
 }
 

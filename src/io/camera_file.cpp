@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "io/atomic_file.h"
 #include "io/json_print.h"
 #include "io/json_tree.h"
+#include "io/text_file.h"
 
 namespace erg {
 namespace {
@@ -104,9 +103,11 @@ Camera parse_camera(std::string_view text, const std::string& name) {
 }
 
 Camera read_camera(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path.string(), "no such camera file", "give a JSON file, or top, oblique, block or side");
-  return parse_camera(std::string(std::istreambuf_iterator<char>(file), {}), path.string());
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw InputError(path.string(), "no such camera file", "give a JSON file, or top, oblique, block or side");
+  }
+  return parse_camera(read_text_file(path, "camera file"), path.string());
 }
 
 std::string camera_text(const Camera& camera) {

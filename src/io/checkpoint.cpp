@@ -14,6 +14,7 @@
 #include "core/errors.h"
 #include "io/atomic_file.h"
 #include "io/config_file.h"
+#include "models/model.h"
 #include "sim/memory.h"
 
 // The file: 8 magic bytes, the format's version (4 bytes), the payload, and the CRC-32 of everything before it (4
@@ -28,6 +29,9 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 constexpr std::array<char, 8> magic = {'E', 'R', 'G', 'S', 'A', 'V', 'E', '\n'};
 constexpr std::size_t piece_bytes = std::size_t{1} << 20;
 constexpr std::uint64_t most_fields = 1000;
+constexpr std::int64_t largest_count = std::int64_t{1} << 60;         // sums of a few of them are whole numbers still
+constexpr float largest_value = 0x1p30f;                              // of a field, which may count cells' slabs
+constexpr std::int32_t largest_height = (std::int32_t{1} << 30) - 1;  // so are differences of these
 
 class Crc {
  public:
@@ -138,6 +142,18 @@ class CheckpointReader {
     if (!std::isfinite(value)) refuse_damaged("a number is not finite");
     return value;
   }
+  /// Of things that have been counted.
+  std::int64_t count() {
+    const auto value = number<std::int64_t>();
+    if (value < 0 || value > largest_count) refuse_damaged("a count is out of range");
+    return value;
+  }
+  /// A value that a parameter has, too.
+  double value_of(const Parameter& parameter) {
+    const double value = finite();
+    if (check_value(parameter, value, "")) refuse_damaged(parameter.key + " is out of range");
+    return value;
+  }
   std::string text() {
     std::string content(length(1), '\0');
     bytes(content.data(), content.size());
@@ -200,11 +216,11 @@ void CheckpointReader::check_whole() {
 
 StepReport read_totals(CheckpointReader& in) {
   StepReport totals;
-  totals.polls = in.number<std::int64_t>();
-  totals.lifts = in.number<std::int64_t>();
+  totals.polls = in.count();
+  totals.lifts = in.count();
   totals.travel = in.finite();
-  totals.slabs_in = in.number<std::int64_t>();
-  totals.slabs_out = in.number<std::int64_t>();
+  totals.slabs_in = in.count();
+  totals.slabs_out = in.count();
   totals.finished = in.number<std::uint8_t>() != 0;
   totals.why_finished = in.text();
   return totals;
@@ -219,25 +235,33 @@ Field read_field(CheckpointReader& in, Extent extent) {
   field.info.minimum = in.finite();
   field.info.maximum = in.finite();
   field.values = in.grid<float>(extent);
+  for (const float value : field.values.cells()) {
+    if (!(std::abs(value) <= largest_value)) in.refuse_damaged("a value of " + field.info.key + " is out of range");
+  }
   return field;
 }
 
 Terrain read_terrain(CheckpointReader& in, const Config& config) {
   MassLedger ledger;
-  ledger.start = in.number<std::int64_t>();
-  ledger.in = in.number<std::int64_t>();
-  ledger.out = in.number<std::int64_t>();
+  ledger.start = in.count();
+  ledger.in = in.count();
+  ledger.out = in.count();
   const auto nx = in.number<std::int32_t>();
   const auto ny = in.number<std::int32_t>();
   if (nx != config.grid.integer("nx") || ny != config.grid.integer("ny")) {
     in.refuse_damaged("grid and config differ in extent");
   }
-  const double cell_size = in.finite();
+  const double cell_size = in.value_of(*config.grid.find("cell_size"));
   const double quantum = in.finite();
-  if (cell_size <= 0 || quantum <= 0) in.refuse_damaged("a cell or a slab has no size");
+  if (quantum != find_model(config.model).make(config.parameters)->quantum()) {
+    in.refuse_damaged("terrain and config differ in the height of a slab");
+  }
   const bool open = in.number<std::uint8_t>() != 0;
-  Terrain terrain({nx, ny}, cell_size, quantum, open ? Boundary::open : Boundary::torus);
-  terrain.set_inflow(in.finite());
+  const double inflow = in.value_of(*config.grid.find("inflow"));
+  const Extent extent{nx, ny};
+  if (in.left() / (2 * sizeof(std::int32_t)) < extent.cells()) in.refuse_damaged("it ends too early");
+  Terrain terrain(extent, cell_size, quantum, open ? Boundary::open : Boundary::torus);
+  terrain.set_inflow(inflow);
   terrain.edit_bedrock() = in.grid<std::int32_t>(terrain.extent());
   terrain.edit_mobile() = in.grid<std::int32_t>(terrain.extent());
   const auto fields = in.number<std::uint64_t>();
@@ -249,9 +273,21 @@ Terrain read_terrain(CheckpointReader& in, const Config& config) {
   return terrain;
 }
 
+// A model finds its fields by their places.
+void check_fields(const CheckpointReader& in, const ModelType& type, const std::vector<Field>& fields) {
+  for (std::size_t place = 0; place < type.fields.size(); ++place) {
+    if (place >= fields.size() || fields[place].info.key != type.fields[place].key) {
+      in.refuse_damaged("it has not the fields of its model");
+    }
+  }
+}
+
 void check_mass(const CheckpointReader& in, const Terrain& terrain) {
-  for (const std::int32_t slabs : terrain.mobile().cells()) {
+  for (std::size_t cell = 0; cell < terrain.extent().cells(); ++cell) {
+    const std::int64_t bedrock = terrain.bedrock()[cell];
+    const std::int64_t slabs = terrain.mobile()[cell];
     if (slabs < 0) in.refuse_damaged("a cell holds less than nothing");
+    if (bedrock < -largest_height || bedrock + slabs > largest_height) in.refuse_damaged("a height is out of range");
   }
   if (terrain.total_mobile() != terrain.ledger().expected()) in.refuse_damaged("sand is missing or too much");
 }
@@ -275,12 +311,12 @@ Saved read_checkpoint(const std::filesystem::path& path) {
   CheckpointReader in(path);
   in.check_whole();
   Saved saved{parse_config(in.text(), path.string() + " (its config)"), {}};
-  saved.state.step = in.number<std::int64_t>();
-  if (saved.state.step < 0) in.refuse_damaged("its step is negative");
+  saved.state.step = in.count();
   saved.state.totals = read_totals(in);
   check_memory({&saved.config, 1}, 0, free_memory());
   saved.state.terrain = read_terrain(in, saved.config);
   if (in.left() != 0) in.refuse_damaged("something follows its end");
+  check_fields(in, find_model(saved.config.model), saved.state.terrain.fields());
   check_mass(in, saved.state.terrain);
   return saved;
 }

@@ -1,49 +1,13 @@
 #include "io/config_file.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
 #include "io/atomic_file.h"
 #include "io/config_reader.h"
+#include "io/text_file.h"
 
 namespace erg {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Far more than any config; keeps a wrong file from filling the memory.
-constexpr std::size_t largest_config = 16u << 20;
-
-/// "did you mean" the file in the same folder with nearly the same name, or `otherwise`.
-std::string missing_file_remedy(const fs::path& path, const std::string& otherwise) {
-  std::vector<std::string> names;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    names.push_back(entry->path().filename().string());
-  }
-  const std::string near = nearest_word(path.filename().string(), names);
-  return near.empty() ? otherwise : "did you mean \"" + (path.parent_path() / near).string() + "\"?";
-}
-
-std::string text_of_file(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error))
-    throw InputError(path.string(), "this is a folder", "give the name of a config file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    const int reason = errno;
-    if (fs::exists(path, error)) throw InputError(path.string(), "cannot read this file", std::strerror(reason));
-    throw InputError(path.string(), "there is no such file", missing_file_remedy(path, "check its name and folder"));
-  }
-  std::string text(largest_config + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) throw InputError(path.string(), "cannot read this file", "check the disk");
-  if (text.size() > largest_config) throw InputError(path.string(), "this file is too large", "is it a config?");
-  return text;
-}
 
 /// The picture's path relative to the working folder, from one relative to the config's folder.
 std::string from_config_folder(const std::string& image, const fs::path& config_path) {
@@ -84,7 +48,7 @@ void read_picture(ParameterValues& values, const fs::path& config_path, int line
 }  // namespace
 
 Config read_config(const fs::path& path) {
-  ConfigReading reading = read_config_text(text_of_file(path), path.string());
+  ConfigReading reading = read_config_text(read_text_file(path, "config file"), path.string());
   read_picture(reading.config.scene, path, reading.image_line, reading.mistakes);
   read_picture(reading.config.parameters, path, reading.model_image_line, reading.mistakes);
   reading.mistakes.throw_if_any();

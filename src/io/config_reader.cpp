@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "io/config_file.h"
@@ -80,12 +81,12 @@ class ConfigReader {
 
   /// Reports keys that are not among `known` and keys that stand twice.
   void check_keys(const JsonNode::Object& object, const std::vector<std::string>& known) {
-    for (std::size_t i = 0; i < object.size(); ++i) {
-      const JsonMember& member = object[i];
-      const auto first = std::ranges::find(object, member.key, &JsonMember::key);
-      if (first != object.begin() + static_cast<std::ptrdiff_t>(i)) {
+    std::map<std::string_view, int> lines;
+    for (const JsonMember& member : object) {
+      const auto [first, is_new] = lines.emplace(member.key, member.line);
+      if (!is_new) {
         mistakes().add(member.line, "duplicate key " + in_quotes(member.key),
-                       "it stands on line " + std::to_string(first->line) + " already; keep one of the two");
+                       "it stands on line " + std::to_string(first->second) + " already; keep one of the two");
       } else if (std::ranges::find(known, member.key) == known.end()) {
         mistakes().add(member.line, "unknown key " + in_quotes(member.key), better_key(member.key, known));
       }
@@ -360,6 +361,10 @@ class ConfigReader {
 }  // namespace
 
 void MistakeList::add(int line, std::string problem, std::string remedy) {
+  if (found_.size() >= most_told) {
+    ++untold_;
+    return;
+  }
   found_.push_back({line, {place(line), std::move(problem), std::move(remedy)}});
 }
 
@@ -371,6 +376,7 @@ void MistakeList::throw_if_any() const {
   std::ranges::stable_sort(sorted, {}, [](const auto& entry) { return entry.first; });
   std::vector<Mistake> mistakes;
   for (auto& [line, mistake] : sorted) mistakes.push_back(std::move(mistake));
+  if (untold_ > 0) mistakes.push_back({name_, std::to_string(untold_) + " more mistakes", "mend these first"});
   throw InputError(std::move(mistakes));
 }
 

@@ -16,7 +16,7 @@ class MistakeList {
  public:
   explicit MistakeList(std::string name) : name_(std::move(name)) {}
 
-  /// Adds one at a line of the file.
+  /// Adds one at a line of the file. Those after the first hundred are only counted: nobody reads on.
   void add(int line, std::string problem, std::string remedy);
   /// One that knows its place better than by line; it is sorted behind all others.
   void add_last(Mistake mistake);
@@ -26,8 +26,11 @@ class MistakeList {
   void throw_if_any() const;
 
  private:
+  static constexpr std::size_t most_told = 100;
+
   std::string name_;
   std::vector<std::pair<int, Mistake>> found_;
+  std::size_t untold_ = 0;
 };
 
 /// What a config's text says. The config is of use only when there are no mistakes.

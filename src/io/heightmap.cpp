@@ -11,11 +11,10 @@
 #include "core/surface_range.h"
 #include "io/png.h"
 
-// Only 8- and 16-bit pictures: the float formats would pull in functions of libm.
+// The library reads many formats. Each of them is one more way in for a damaged file, and only this one is asked for.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
-#define STBI_NO_HDR
-#define STBI_NO_LINEAR
+#define STBI_ONLY_PNG
 #include <stb/stb_image.h>
 
 namespace erg {

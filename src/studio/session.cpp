@@ -13,6 +13,7 @@
 
 #include "core/errors.h"
 #include "io/atomic_file.h"
+#include "io/json_print.h"
 #include "sim/memory.h"
 #include "studio/surroundings.h"
 
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* name_start = "session-";
+constexpr const char* session_name = "session.json";
 
 /// Opens the lock file of a folder and tries to lock it; -1 when another program holds it or it cannot be opened.
 int try_lock(const fs::path& folder, int more_flags) {
@@ -58,7 +60,7 @@ void write_session(const fs::path& folder, const Snapshot& snapshot) {
     write_checkpoint(folder / name, *snapshot.runs[run].config, snapshot.runs[run].state());
     json["runs"].push_back(name);
   }
-  write_file_atomically(folder / "session.json", json.dump(2) + "\n");
+  write_file_atomically(folder / session_name, pretty_json(json));
   // Only now are the older checkpoints of no use.
   std::error_code failed;
   for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
@@ -76,7 +78,7 @@ void remove_folders(const std::vector<fs::path>& folders) {
 
 /// session.json of a folder; null when it is missing or damaged.
 Json read_session(const fs::path& folder) {
-  std::ifstream file(folder / "session.json", std::ios::binary);
+  std::ifstream file(folder / session_name, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   Json json = Json::parse(text, nullptr, false);
   const auto has = [&json](const char* key, Json::value_t type) {
@@ -87,6 +89,17 @@ Json read_session(const fs::path& folder) {
                      !json["runs"].empty() &&
                      std::ranges::all_of(json["runs"], [](const Json& name) { return name.is_string(); });
   return whole ? json : Json();
+}
+
+/// The checkpoints in a folder, whatever session.json says.
+std::vector<fs::path> checkpoints_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    if (entry->path().extension() == ".checkpoint") found.push_back(entry->path());
+  }
+  std::ranges::sort(found);
+  return found;
 }
 
 }  // namespace
@@ -172,11 +185,14 @@ std::vector<LostSession> Session::lost(const fs::path& state_folder) {
     const int lock = try_lock(folder, 0);
     if (lock < 0) continue;  // its program lives
     ::close(lock);
+    std::error_code ignored;
+    if (!fs::exists(folder / session_name, ignored)) {
+      fs::remove_all(folder, ignored);  // a program that was gone before it saved anything: there is nothing to offer
+      continue;
+    }
     const Json json = read_session(folder);
     if (json.is_null()) {
-      // A program that was gone before it saved anything: there is nothing to offer.
-      std::error_code ignored;
-      fs::remove_all(folder, ignored);
+      found.push_back({folder, "A damaged session", "(unknown)", 0, checkpoints_in(folder).size()});
       continue;
     }
     found.push_back({folder, json.value("title", ""), json.value("saved_at", ""), json.value("step", std::int64_t{0}),
@@ -188,7 +204,11 @@ std::vector<LostSession> Session::lost(const fs::path& state_folder) {
 
 std::vector<Saved> Session::recover(const LostSession& session) {
   const Json json = read_session(session.folder);
-  if (json.is_null()) throw InputError(session.folder.string(), "there is no session any more", "");
+  if (json.is_null()) {
+    const std::vector<fs::path> left = checkpoints_in(session.folder);
+    throw InputError((session.folder / session_name).string(), "this list of what was saved is missing or damaged",
+                     left.empty() ? "" : "go on from a checkpoint: erg run --resume " + left.back().string());
+  }
   std::vector<Saved> runs;
   for (const Json& name : json["runs"]) {
     runs.push_back(read_checkpoint(session.folder / fs::path(name.get<std::string>()).filename()));

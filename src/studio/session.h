@@ -51,9 +51,11 @@ class Session {
   /// What went wrong with the last background save; "" if nothing. Asking clears it.
   std::string take_problem();
 
-  /// Sessions of programs that are gone, latest first.
+  /// Sessions of programs that are gone, latest first; those last whose session.json is damaged. Folders in which
+  /// nothing was saved are removed.
   static std::vector<LostSession> lost(const std::filesystem::path& state_folder);
-  /// The runs of one, for Runner::resume. Throws InputError for a damaged file.
+  /// The runs of one, for Runner::resume. Throws InputError for a damaged file; where it is session.json, with the way
+  /// to the checkpoints.
   static std::vector<Saved> recover(const LostSession& session);
   /// Removes what a crash left.
   static void discard(const LostSession& session);

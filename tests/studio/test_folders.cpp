@@ -1,6 +1,7 @@
 // The file browser's folders, and what is remembered between two days.
 #include <gtest/gtest.h>
 
+#include "../unit/mutated.h"
 #include "../unit/temporary_folder.h"
 #include "core/errors.h"
 #include "studio/folder_listing.h"
@@ -117,6 +118,26 @@ TEST(Settings, NeverKeepTheProgramFromStarting) {
   Settings expected;
   expected.recent = {"/a"};
   EXPECT_EQ(read_settings(folder.path(), complaint), expected);
+}
+
+TEST(Settings, MutatedOnesAreReadAsWhatCanBeWritten) {
+  const TemporaryFolder folder;
+  Settings settings;
+  settings.scale = 1.5;
+  settings.window_width = 1000;
+  settings.layout = {{"left", 300}, {"folded", 1}};
+  settings.recent = {"/a/first.json", "/a/d\xfcne.json"};
+  write_settings(folder.path(), settings);
+  const std::string text = read_bytes(folder / "settings.json");
+  test::Mutator mutator(1);
+  std::string complaint;
+  for (int number = 0; number < test::mutations(200); ++number) {
+    write_bytes(folder / "settings.json", mutator.of(text));
+    const Settings read = read_settings(folder.path(), complaint);
+    write_settings(folder.path(), read);
+    EXPECT_EQ(read_settings(folder.path(), complaint), read) << number;
+    EXPECT_EQ(complaint, "");
+  }
 }
 
 TEST(Settings, LieWhereTheEnvironmentSays) {

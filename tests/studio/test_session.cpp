@@ -7,6 +7,8 @@
 #include <chrono>
 #include <thread>
 
+#include "../unit/message.h"
+#include "../unit/mutated.h"
 #include "../unit/temporary_folder.h"
 #include "small_config.h"
 #include "snapshot_of.h"
@@ -133,6 +135,38 @@ TEST(Session, ADamagedCheckpointIsRefused) {
   bytes[bytes.size() / 2] ^= 1;
   write_bytes(checkpoint, bytes);
   EXPECT_THROW(Session::recover(lost[0]), InputError);
+}
+
+TEST(Session, ADamagedListLosesNoCheckpoint) {
+  const TemporaryFolder folder;
+  leave_behind(folder.path());
+  const fs::path left = Session::lost(folder.path()).front().folder;
+  const std::string list = read_bytes(left / "session.json");
+  const std::string checkpoint = read_bytes(left / "run1-1.checkpoint");
+  for (const std::string& damaged : {std::string(), list.substr(0, list.size() / 2), std::string(list.size(), '\0')}) {
+    write_bytes(left / "session.json", damaged);
+    const std::vector<LostSession> lost = Session::lost(folder.path());
+    ASSERT_EQ(lost.size(), 1u);
+    EXPECT_EQ(lost[0].runs, 1u);
+    EXPECT_EQ(read_bytes(left / "run1-1.checkpoint"), checkpoint);
+    const std::string said = message([&] { Session::recover(lost[0]); });
+    EXPECT_TRUE(said.ends_with("erg run --resume " + (left / "run1-1.checkpoint").string())) << said;
+  }
+}
+
+TEST(Session, AMutatedListIsOfferedAndNothingIsLost) {
+  const TemporaryFolder folder;
+  leave_behind(folder.path());
+  const fs::path left = Session::lost(folder.path()).front().folder;
+  const std::string list = read_bytes(left / "session.json");
+  test::Mutator mutator(1);
+  for (int number = 0; number < test::mutations(200); ++number) {
+    write_bytes(left / "session.json", mutator.of(list));
+    const std::vector<LostSession> lost = Session::lost(folder.path());
+    ASSERT_EQ(lost.size(), 1u) << number;
+    message([&] { Session::recover(lost[0]); });
+  }
+  EXPECT_TRUE(fs::exists(left / "run1-1.checkpoint"));
 }
 
 TEST(Session, OneWhoseRunsCannotBeMadeStaysOnOffer) {

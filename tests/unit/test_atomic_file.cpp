@@ -1,6 +1,9 @@
 #include "io/atomic_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -54,6 +57,20 @@ TEST_F(AtomicFile, AnUnfinishedFileOfAKilledWriterIsWrittenOver) {
   write_file_atomically(folder_ / "old.txt", "two");
   EXPECT_EQ(read_bytes(folder_ / "old.txt"), "two");
   EXPECT_EQ(files(), 1) << "nothing is left of it";
+}
+
+TEST_F(AtomicFile, AnUnfinishedFileThatCannotBeEmptiedIsClosedAgain) {
+  const auto open_files = [] { return std::distance(fs::directory_iterator("/proc/self/fd"), {}); };
+  // A pipe with a reader can be opened for writing, but it has no length.
+  const std::string pipe = unfinished_name(folder_ / "old.txt");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  const auto before = open_files();
+  EXPECT_THROW(write_file_atomically(folder_ / "old.txt", "new"), WriteError);
+  EXPECT_EQ(open_files(), before);
+  EXPECT_EQ(read_bytes(folder_ / "old.txt"), "old");
+  ::close(reader);
 }
 
 TEST_F(AtomicFile, WritersOfOneFileDoNotMeet) {

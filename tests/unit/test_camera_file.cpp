@@ -39,6 +39,7 @@ TEST(CameraFile, AnythingElseIsRefused) {
   EXPECT_THROW(parse_camera("{", "a"), InputError);
   EXPECT_THROW(parse_camera("", "a"), InputError);
   EXPECT_THROW(read_camera("/nowhere/view.json"), InputError);
+  EXPECT_THROW(read_camera("/dev/zero"), InputError) << "it has no end";
 }
 
 }  // namespace

@@ -211,6 +211,32 @@ TEST_F(ConfigFile, DeepNestingIsRefused) {
             "each other; a config needs only a few levels");
 }
 
+// Each of these once took minutes or gibibytes.
+TEST_F(ConfigFile, HugeNonsenseIsRefusedInAFewWords) {
+  const auto many = [](const std::string& text, int times) {
+    std::string all = text;
+    for (int i = 1; i < times; ++i) all += "," + text;
+    return all;
+  };
+  std::string keys = "\"a\": 1";
+  for (int key = 0; key < 50'000; ++key) keys += ",\"k" + std::to_string(key) + "\":1";
+  EXPECT_TRUE(mistakes_in(keys).ends_with("a.json: 49901 more mistakes; mend these first"));
+  const std::string seasons = mistakes_in("\"wind\": {\"seasons\": [" + many("1", 300'000) + "]}");
+  EXPECT_EQ(std::ranges::count(seasons, '\n'), 100) << seasons.substr(0, 1000);
+  EXPECT_TRUE(seasons.ends_with("a.json: 299900 more mistakes; mend these first"));
+  EXPECT_LT(mistakes_in("\"" + std::string(1'000'000, 'x') + "\": 1").size(), 300u);
+  EXPECT_LT(mistakes("{\"erg\": 1, \"model\": \"" + std::string(1'000'000, 'w') + "\"}").size(), 300u);
+  EXPECT_EQ(mistakes("{\"erg\": 1, \"model\": \"nield_baas\", \"parameters\": {\"grass_growth\": [" +
+                     many("[1,2]", 10'000) + "]}}"),
+            "a.json:1: grass_growth is 10000 vertices; expected 2 to 64 vertices x:y, x growing (balance, m/yr, -10 to "
+            "10), y -10 to 10");
+}
+
+TEST_F(ConfigFile, AFileWithoutEndIsRefused) {
+  EXPECT_EQ(message([] { read_config("/dev/zero"); }),
+            "/dev/zero: this file is too large; give a text of at most 1 MiB; is it the right one?");
+}
+
 TEST_F(ConfigFile, RoundTripsWithoutChange) {
   std::mt19937 random(1);
   for (int i = 0; i < 300; ++i) {
