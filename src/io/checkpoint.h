@@ -21,8 +21,8 @@ inline constexpr std::uint32_t checkpoint_version = 1;
 /// when it cannot be written.
 void write_checkpoint(const std::filesystem::path& path, const Config& config, const RunState& state);
 
-/// Reads a checkpoint. A missing, foreign, newer, truncated or damaged file, and one whose run would not fit into the
-/// memory that is free, is refused with an InputError.
+/// Reads a checkpoint. A missing, foreign, newer, truncated or damaged file, one that holds what no run of its config
+/// can have made, and one whose run would not fit into the memory that is free, is refused with an InputError.
 Saved read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace erg

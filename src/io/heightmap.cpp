@@ -12,9 +12,11 @@
 #include "io/png.h"
 
 // The library reads many formats. Each of them is one more way in for a damaged file, and only this one is asked for.
+// Linear colours would pull in functions of libm.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
+#define STBI_NO_LINEAR
 #include <stb/stb_image.h>
 
 namespace erg {

@@ -128,9 +128,9 @@ Parameters flight_parameters() {
 
 Parameters bed_parameters() {
   return {
-      real_parameter("parcel_height", "Height of a parcel", "mm", 0.25, 0.001, 100,
-                     "Grains move in parcels; one raises its cell by this. How many grains that is: see what the "
-                     "values mean."),
+      at_start(real_parameter("parcel_height", "Height of a parcel", "mm", 0.25, 0.001, 100,
+                              "Grains move in parcels; one raises its cell by this. How many grains that is: see what "
+                              "the values mean.")),
       integer_parameter("sub_steps", "Sub-steps", "", 4, 1, 64,
                         "A step polls every cell once, in so many parts; each sees the ground that the last one left."),
       real_parameter(

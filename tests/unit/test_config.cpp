@@ -51,6 +51,19 @@ TEST(Config, EveryDeclarationIsSound) {
   }
 }
 
+// The terrain counts its heights in it.
+TEST(Config, NoChangeOfARunChangesTheHeightOfItsSlabs) {
+  for (const ModelType& type : catalogue()) {
+    const double quantum = type.make(ParameterValues(type.parameters))->quantum();
+    for (const Parameter& parameter : type.parameters) {
+      if (parameter.at_start || parameter.kind != ParameterKind::real) continue;
+      ParameterValues values(type.parameters);
+      values.set(parameter.key, 0.5 * (parameter.minimum + parameter.maximum));
+      EXPECT_EQ(type.make(values)->quantum(), quantum) << type.info.key << ", " << parameter.key;
+    }
+  }
+}
+
 TEST(Config, SetsValuesFromText) {
   Config config;
   set_from_text(config, "grid.nx=512");

@@ -268,7 +268,11 @@ void DesktopHand::quit() {
   // Without a window manager keys go to the window under the pointer.
   command("xdotool mouseup 1 mouseup 2 mouseup 3 mousemove 500 300");
   const bool ended = soon([this] {
-    if (runs()) command("xdotool key Escape sleep 0.3 key ctrl+q sleep 0.3");
+    // Each key waits for the frames that show what it did: on a busy machine the next Escape would take the question
+    // away before it was seen.
+    for (const char* const keys : {"Escape", "ctrl+q"}) {
+      if (runs()) key(keys);
+    }
     const std::string without_saving = "UNSAVED/WITHOUT SAVING";
     if (runs() && places().contains(without_saving)) click(without_saving);
     return !runs();
