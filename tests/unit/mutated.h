@@ -2,6 +2,7 @@
 // each kind instead of the usual few.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
