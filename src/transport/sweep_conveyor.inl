@@ -9,11 +9,12 @@ class Conveyor {
         strip_(strip),
         lanes_((strip.lines + 63) / 64 * 64),
         next_strip_(plan.layout.at_place(plan.layout.wrapped(strip.first + strip.lines), 0)),
+        shades_beside_(plan.adjacent_fall >> fixed_point_bits != plan.row_fall >> fixed_point_bits),
         walk_(plan.layout, plan.drift, plan.phase, strip.first, strip.lines),
         draws_(strip.first, lanes_),
         flight_(plan, strip, draws_, lanes_) {
     std::memset(&row_, 0, sizeof row_);
-    std::memset(&sums_, 0, sizeof sums_);
+    std::memset(polls_, 0, sizeof polls_);
   }
 
   void convey() {
@@ -37,7 +38,7 @@ class Conveyor {
       walk_.go_on();
       if (++row_in_block == block) row_in_block = 0;
     }
-    flush_sums();
+    flush_polls();
     if (plan_.open) flight_.drop_all(plan_.layout.length);
   }
 
@@ -55,7 +56,6 @@ class Conveyor {
       add_row();
       walk_.go_on();
     }
-    flush_sums();
   }
 
  private:
@@ -143,7 +143,7 @@ class Conveyor {
     Lane* __restrict dark = row_.dark;
     Shadow* __restrict line = strip_.line;
     const Shadow fall = static_cast<Shadow>(plan_.row_fall);
-    if (!plan_.oblique) {
+    if (!shades_beside_) {
       ERG_EACH(i, lanes_) {
         const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
         dark[i] = top < line[i] ? all_ones : Lane{0};
@@ -152,7 +152,6 @@ class Conveyor {
       }
       return;
     }
-    // To the next row the line falls less: it shades what lies lower than the cell upwind by more than these slabs.
     Lane* __restrict upwind = strip_.upwind;
     const Lane stands_clear = static_cast<Lane>(plan_.adjacent_fall >> fixed_point_bits);
     ERG_EACH(i, lanes_) {
@@ -183,8 +182,9 @@ class Conveyor {
     }
     for (int i = strip_.lines; i < lanes_; ++i) target[i] = all_ones;
     const Lane rows = static_cast<Lane>(plan_.layout.length - y < block ? plan_.layout.length - y : block);
-    Lane* __restrict polls = sums_.polls;
+    Lane* __restrict polls = polls_;
     ERG_EACH(i, lanes_) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
+    if (++blocks_polled_ == static_cast<Lane>(~Lane{0})) flush_polls();
   }
 
   // --- lifting and landing ---
@@ -204,8 +204,8 @@ class Conveyor {
     if (most > 2) land_others(arrivals);
     if (most > 0) std::memset(arrivals, 0, static_cast<std::size_t>(lanes_) * sizeof(Lane));
     if (plan_.wall_rows) meet_walls(flown);
-    if (any_leaving_) flight_.launch(row_, flown, static_cast<std::uint32_t>(most) + 1);
-    if (++rows_summed_ == LaneSums<Lane>::rows_before_flush) flush_sums();
+    if (any_leaving_) flight_.launch(row_, flown);
+    count(flown);
   }
 
   /// Where slabs may lift, and how likely they stay.
@@ -260,7 +260,6 @@ class Conveyor {
     Lane* __restrict lifted = row_.lifted;
     Lane* __restrict landed = row_.landed;
     Lane* __restrict leaving = row_.leaving;
-    Lane* __restrict lift_sum = sums_.lifts;
     Lane most = 0;
     Lane any_leaving = 0;
     ERG_EACH(i, lanes_) {
@@ -273,7 +272,6 @@ class Conveyor {
       lifted[i] = lift;
       landed[i] = land;
       leaving[i] = leave;
-      lift_sum[i] = static_cast<Lane>(lift_sum[i] + lift);
       most = arriving > most ? arriving : most;
       any_leaving = static_cast<Lane>(any_leaving | leave);
     }
@@ -366,14 +364,27 @@ class Conveyor {
 
   // --- counts ---
 
-  void flush_sums() {
-    for (int i = 0; i < lanes_; ++i) {
-      strip_.counts.polls += sums_.polls[i];
-      strip_.counts.lifts += sums_.lifts[i];
+  /// Books what the row has given and taken. A slab that is lifted in one row and comes to rest in another has flown
+  /// the rows between, however often it has touched the ground.
+  void count(std::int64_t flown) {
+    const Lane* __restrict lifted = row_.lifted;
+    const Lane* __restrict landed = row_.landed;
+    const Lane* __restrict none = row_.none;
+    int lifts = 0;
+    int landings = 0;
+    // Sums of differences from nothing: those of bytes are one instruction.
+    ERG_EACH(i, lanes_) lifts += __builtin_abs(lifted[i] - none[i]);
+    if (most_landed_ > 0) {
+      ERG_EACH(i, lanes_) landings += __builtin_abs(landed[i] - none[i]);
     }
-    std::memset(&sums_, 0, sizeof sums_);
-    rows_summed_ = 0;
-    flight_.flush_sums();
+    strip_.counts.lifts += lifts;
+    strip_.counts.rows_flown += flown * (landings - lifts);
+  }
+
+  void flush_polls() {
+    for (int i = 0; i < lanes_; ++i) strip_.counts.polls += polls_[i];
+    std::memset(polls_, 0, sizeof polls_);
+    blocks_polled_ = 0;
   }
 
   // A processor fetches rows ahead by itself, but not the one cache line a row that it shares with another.
@@ -383,12 +394,15 @@ class Conveyor {
   Strip<Lane>& strip_;
   const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
   const std::size_t next_strip_;  // the place after the strip's own, in row 0
+  // The shadow line falls less to the next row than along the wind. Heights are whole, so that it matters only where it
+  // is by a whole slab.
+  const bool shades_beside_;
   LineWalk walk_;
   const LineDraws<Lane> draws_;
   Flight<Lane> flight_;
   std::uint32_t most_landed_ = 0;
   bool any_leaving_ = false;
   Row<Lane> row_;
-  LaneSums<Lane> sums_;
-  int rows_summed_ = 0;
+  alignas(64) Lane polls_[strip_lines];  // of each lane since they were last summed up
+  Lane blocks_polled_ = 0;
 };

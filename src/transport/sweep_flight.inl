@@ -10,8 +10,8 @@ class Flight {
   /// How many slabs come down at each lane of a row.
   Lane* arrivals(std::int64_t flown) { return strip_.ring + ring_start(flown); }
 
-  /// Sends the slabs that leave this row to the row where they come down next; at most `most` leave one lane.
-  void launch(Row<Lane>& row, std::int64_t flown, std::uint32_t most) {
+  /// Sends the slabs that leave this row to the row where they come down next.
+  void launch(Row<Lane>& row, std::int64_t flown) {
     if (plan_.hop_by_height) {
       launch_by_height(row, flown);
       return;
@@ -21,21 +21,14 @@ class Flight {
     const Lane far_below = static_cast<Lane>(rows_256 & 0xff);  // of 256: how often a hop is one row longer
     const Lane* __restrict leaving = row.leaving;
     Lane* __restrict near_ring = strip_.ring + ring_start(flown + near_rows);
-    Lane* __restrict left = left_;
-    if (most_left_ + most > static_cast<Lane>(~Lane{0})) flush_sums();
-    most_left_ += most;
     if (far_below == 0) {
-      ERG_EACH(i, lanes_) {
-        near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
-        left[i] = static_cast<Lane>(left[i] + leaving[i]);
-      }
+      ERG_EACH(i, lanes_) near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
       expect(flown + near_rows);
       return;
     }
     draws_.template fill_next<Draw::hop>(row);
     const Lane* __restrict random = row.random;
     Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
-    Lane* __restrict left_far = left_far_;
     const Lane near_below = static_cast<Lane>(256 - far_below);
     ERG_EACH(i, lanes_) {
       // As hop_rows: one row more where the random byte carries the fraction over.
@@ -43,25 +36,8 @@ class Flight {
       const Lane near = static_cast<Lane>(leaving[i] - far);
       near_ring[i] = static_cast<Lane>(near_ring[i] + near);
       far_ring[i] = static_cast<Lane>(far_ring[i] + far);
-      left[i] = static_cast<Lane>(left[i] + leaving[i]);
-      left_far[i] = static_cast<Lane>(left_far[i] + far);
     }
     expect(flown + near_rows + 1);
-  }
-
-  /// Books the rows that slabs have been sent on since this was last called.
-  void flush_sums() {
-    std::uint32_t all = 0;
-    std::uint32_t far = 0;
-    for (int i = 0; i < lanes_; ++i) {
-      all += left_[i];
-      far += left_far_[i];
-    }
-    const std::uint32_t near_rows = plan_.hop_table[0] >> fixed_point_bits;
-    strip_.counts.rows_flown += static_cast<std::int64_t>(all) * near_rows + far;
-    std::memset(left_, 0, sizeof left_);
-    std::memset(left_far_, 0, sizeof left_far_);
-    most_left_ = 0;
   }
 
   /// New slabs over an open edge.
@@ -79,6 +55,7 @@ class Flight {
       Lane& there = strip_.ring[ring_start(down) + static_cast<std::size_t>(lane)];
       there = static_cast<Lane>(there + 1);
       if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.crowded = true;
+      strip_.counts.rows_flown -= down;  // its way begins where it first comes down
       expect(down);
     }
     strip_.counts.slabs_in += slabs;
@@ -89,7 +66,6 @@ class Flight {
     std::int64_t dropped = 0;
     for (int rows = 1; rows < plan_.ring_rows; ++rows) {
       Lane& flying = arrivals(flown + rows)[lane];
-      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
       dropped += flying;
       flying = 0;
     }
@@ -100,7 +76,7 @@ class Flight {
   void drop_out(int lane, std::int64_t from_row) {
     for (int rows = 0; rows < plan_.ring_rows; ++rows) {
       Lane& flying = strip_.ring[ring_start(from_row + rows) + static_cast<std::size_t>(lane)];
-      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
+      strip_.counts.rows_flown += from_row * flying;
       strip_.counts.slabs_out += flying;
       flying = 0;
     }
@@ -122,7 +98,6 @@ class Flight {
     draws_.template fill_next<Draw::hop>(row);
     std::uint32_t longest = 0;
     std::uint32_t fullest = 0;
-    std::int64_t rows_flown = 0;
     for (int first = 0; first < lanes_; first += 64) {
       for (std::uint64_t mask = lanes_above<0>(row.leaving + first); mask != 0; mask &= mask - 1) {
         const int lane = first + __builtin_ctzll(mask);
@@ -133,11 +108,9 @@ class Flight {
         there = static_cast<Lane>(now);
         fullest = now > fullest ? now : fullest;
         longest = rows > longest ? rows : longest;
-        rows_flown += static_cast<std::int64_t>(rows) * leaving;
       }
     }
     if (sizeof(Lane) == 1 && fullest > narrow_arrivals) strip_.counts.crowded = true;
-    strip_.counts.rows_flown += rows_flown;
     expect(flown + longest);
   }
 
@@ -149,9 +122,4 @@ class Flight {
   Strip<Lane>& strip_;
   const LineDraws<Lane>& draws_;
   const int lanes_;
-  // Slabs that have left each lane where all hops are alike, all of them and those that fly a row further; summed up
-  // now and then, for to sum a row's lanes takes as long as to fly them.
-  alignas(64) Lane left_[strip_lines] = {};
-  alignas(64) Lane left_far_[strip_lines] = {};
-  std::uint32_t most_left_ = 0;  // no sum is higher
 };
