@@ -87,8 +87,8 @@ class Conveyor {
       highest = now > highest ? now : highest;
     }
     if (highest > strip_.counts.highest) strip_.counts.highest = highest;
-    walk_.for_runs(own_lanes(), [&](int lane, std::size_t cell, std::size_t count) {
-      std::memcpy(plan_.after + cell, height + lane, count * sizeof(Lane));
+    walk_.for_runs(own_lanes(), [&](int lane, std::size_t cell, int count, int room) {
+      copy_lanes(plan_.after + cell, height + lane, count, strip_lines - lane, room);
     });
     if (strip_.overhang) keep_overhang();
     if (most_landed_ > strip_.counts.most_landed) strip_.counts.most_landed = most_landed_;
@@ -109,19 +109,19 @@ class Conveyor {
 
   /// Which cells of the row have given a slab, for those who want to know.
   void write_lifted() const {
-    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, int count, int) {
       std::uint8_t* __restrict out = plan_.lifted + cell;
       const Lane* __restrict lifted = row_.lifted + lane;
-      ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<std::uint8_t>(lifted[i]);
+      ERG_EACH(i, count) out[i] = static_cast<std::uint8_t>(lifted[i]);
     });
   }
 
   void add_row() {
     if (most_landed_ == 0) return;
-    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, int count, int) {
       Lane* __restrict out = plan_.after + cell;
       const Lane* __restrict landed = row_.landed + lane;
-      ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<Lane>(out[i] + landed[i]);
+      ERG_EACH(i, count) out[i] = static_cast<Lane>(out[i] + landed[i]);
     });
     if (most_landed_ > strip_.counts.most_carried) strip_.counts.most_carried = most_landed_;
   }
