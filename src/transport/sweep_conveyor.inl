@@ -8,7 +8,6 @@ class Conveyor {
       : plan_(plan),
         strip_(strip),
         lanes_((strip.lines + 63) / 64 * 64),
-        next_strip_(plan.layout.at_place(plan.layout.wrapped(strip.first + strip.lines), 0)),
         shades_beside_(plan.adjacent_fall >> fixed_point_bits != plan.row_fall >> fixed_point_bits),
         walk_(plan.layout, plan.drift, plan.phase, strip.first, strip.lines),
         draws_(strip.first, lanes_),
@@ -66,14 +65,24 @@ class Conveyor {
 
   /// Reads the frozen surface. `flown` is the row counted on over the torus edge: it keys the random numbers.
   void read_row(std::int64_t flown) {
-    walk_.copy_in(row_.height, plan_.before);
-    if (strip_.overhang && walk_.y() + prefetch_rows < plan_.layout.length) {
-      const std::size_t row = static_cast<std::size_t>(walk_.y() + prefetch_rows);
-      __builtin_prefetch(plan_.before + next_strip_ + row * static_cast<std::size_t>(plan_.layout.pitch));
-    }
+    read_heights(flown);
     if (plan_.bedrock) walk_.copy_in(row_.bedrock, plan_.bedrock);
     if (plan_.cover) walk_.copy_in(row_.cover, plan_.cover);
     row_.word = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
+  }
+
+  void read_heights(std::int64_t flown) {
+    if (strip_.next_block < 0 || flown >= plan_.layout.length) {
+      walk_.copy_in(row_.height, plan_.before);
+      return;
+    }
+    const int own = own_lanes();
+    walk_.copy_in(row_.height, plan_.before, own);
+    const std::size_t row =
+        static_cast<std::size_t>(strip_.next_block) * static_cast<std::size_t>(plan_.layout.length) +
+        static_cast<std::size_t>(walk_.y());
+    const Lane* beyond = plan_.before_firsts + row * first_places + own + walk_.lead() - strip_.lines;
+    for (int lane = own; lane < strip_.lines; ++lane) row_.height[lane] = beyond[lane - own];
   }
 
   void write_row() {
@@ -387,13 +396,9 @@ class Conveyor {
     blocks_polled_ = 0;
   }
 
-  // A processor fetches rows ahead by itself, but not the one cache line a row that it shares with another.
-  static constexpr int prefetch_rows = 8;
-
   const SweepPlan<Lane>& plan_;
   Strip<Lane>& strip_;
   const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
-  const std::size_t next_strip_;  // the place after the strip's own, in row 0
   // The shadow line falls less to the next row than along the wind. Heights are whole, so that it matters only where it
   // is by a whole slab.
   const bool shades_beside_;

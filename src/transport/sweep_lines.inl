@@ -88,8 +88,13 @@ class LineWalk {
 
   template <typename T>
   void copy_in(T* lanes, const T* plane) const {
+    copy_in(lanes, plane, lines_);
+  }
+  /// The same of the first lanes alone; others may be changed.
+  template <typename T>
+  void copy_in(T* lanes, const T* plane, int lanes_wanted) const {
     // What a run reads of a block's margin is overwritten by the next run.
-    for_runs(lines_, [&](int lane, std::size_t cell, int count, int room) {
+    for_runs(lanes_wanted, [&](int lane, std::size_t cell, int count, int room) {
       copy_lanes(lanes + lane, plane + cell, count, lines_ - lane, room);
     });
   }

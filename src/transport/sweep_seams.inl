@@ -27,6 +27,17 @@ void keep_edges(const SlidePlan<Lane>& plan, int block) {
   }
 }
 
+/// Copies the first places of some of a block's rows to where they are kept for the strip before the block.
+template <typename Lane>
+void keep_firsts(const SlidePlan<Lane>& plan, int block, int first_row, int end_row) {
+  const PlaneLayout& layout = plan.layout;
+  Lane* kept = plan.firsts + static_cast<std::size_t>(block) * static_cast<std::size_t>(layout.length) * first_places;
+  for (int y = first_row; y < end_row; ++y) {
+    // A block is wider than that, and its margin follows where the last one is not.
+    std::memcpy(kept + first_places * y, plan.heights + layout.at(block, 0, y), first_places * sizeof(Lane));
+  }
+}
+
 /// The seam between two blocks.
 template <typename Lane>
 class ColumnSeam {
