@@ -30,11 +30,12 @@ void keep_edges(const SlidePlan<Lane>& plan, int block) {
 /// Copies the first places of some of a block's rows to where they are kept for the strip before the block.
 template <typename Lane>
 void keep_firsts(const SlidePlan<Lane>& plan, int block, int first_row, int end_row) {
-  const PlaneLayout& layout = plan.layout;
+  const PlaneLayout layout = plan.layout;
   Lane* kept = plan.firsts + static_cast<std::size_t>(block) * static_cast<std::size_t>(layout.length) * first_places;
-  for (int y = first_row; y < end_row; ++y) {
+  const Lane* row = plan.heights + layout.at(block, 0, first_row);
+  for (int y = first_row; y < end_row; ++y, row += layout.pitch) {
     // A block is wider than that, and its margin follows where the last one is not.
-    std::memcpy(kept + first_places * y, plan.heights + layout.at(block, 0, y), first_places * sizeof(Lane));
+    std::memcpy(kept + first_places * y, row, first_places * sizeof(Lane));
   }
 }
 
@@ -48,7 +49,7 @@ class ColumnSeam {
   /// Each class of edges that cross the seam, row after row. Where rows are skewed against each other those along the
   /// wind do so too.
   void slide(bool left_mine, bool right_mine) {
-    const PlaneLayout& layout = plan_.layout;
+    const PlaneLayout layout = plan_.layout;
     for (int column = 2 - depth_; column < 2 + depth_; ++column) fetch(column);
     edges({left_outer, 0}, {right_outer, 0}, layout.length);
     const int rows = plan_.open ? layout.length - 1 : layout.length;
@@ -143,7 +144,8 @@ class ColumnSeam {
                      1);
   }
 
-  const SlidePlan<Lane>& plan_;
+  // A copy: what is written through a pointer to bytes might be a part of anything else, and be read again each time.
+  const SlidePlan<Lane> plan_;
   const int left_;
   const int right_;
   const int depth_;
