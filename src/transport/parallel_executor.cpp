@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "transport/fixed_point.h"
+#include "transport/slab_cell.h"
 #include "transport/sub_sweep.h"
 
 namespace erg {
@@ -126,16 +127,20 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     plan.lifted = lifted_.empty() ? nullptr : lifted_.data();
     for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
     meet_unless(apart);
+    const auto strips = static_cast<int>(mine.strips.size());
     if (layout_.lean != 0) {
       // What hangs over into a member's strip it takes itself: those places are in its own processor's cache.
-      const auto strips = static_cast<int>(mine.strips.size());
       for (int k = first_strip; k < end_strip; ++k) {
         kernels.hand_over(plan, mine.strips[static_cast<std::size_t>((k + strips - 1) % strips)]);
       }
       meet_unless(apart);
     }
+    // For the same reason it carries those strips that come over the torus edge into its own, or nearly so.
+    const int lines = mine.strips.front().lines;
+    const int over = static_cast<int>(
+        (line_offset(layout_.length, plan.drift, plan.phase, layout_.length) + lines / 2) / lines % strips);
     for (int k = first_strip; k < end_strip; ++k) {
-      Strip<Lane>& strip = mine.strips[static_cast<std::size_t>(k)];
+      Strip<Lane>& strip = mine.strips[static_cast<std::size_t>((k + strips - over) % strips)];
       if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);
       strip.shown[turn] = strip.counts;
     }
