@@ -44,6 +44,7 @@ class Conveyor {
   void carry() {
     if (strip_.last_arrival < plan_.layout.length) return;
     walk_.start(plan_.layout.length);
+    flight_.round_hops(plan_.layout.length);
     const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan_.layout.length;
     std::memset(strip_.target, 0xff, sizeof strip_.target);
     for (std::int64_t flown = plan_.layout.length; flown <= strip_.last_arrival; ++flown) {
@@ -201,6 +202,7 @@ class Conveyor {
   /// Everything that happens in one row: which slabs lift, which stay, and where the others come down next.
   void decide(std::int64_t flown, Lane row_in_block) {
     Lane* arrivals = flight_.arrivals(flown);
+    if (flown % hop_rows_alike == 0) flight_.round_hops(flown);
     judge_ground();
     draws_.fill_landing(row_);
     const Lane most = lift_and_land(arrivals, row_in_block);

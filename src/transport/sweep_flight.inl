@@ -26,18 +26,26 @@ class Flight {
       expect(flown + near_rows);
       return;
     }
-    draws_.template fill_next<Draw::hop>(row);
-    const Lane* __restrict random = row.random;
+    const Lane* __restrict one_further = one_further_;
     Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
-    const Lane near_below = static_cast<Lane>(256 - far_below);
     ERG_EACH(i, lanes_) {
-      // As hop_rows: one row more where the random byte carries the fraction over.
-      const Lane far = random[i] >= near_below ? leaving[i] : Lane{0};
+      const Lane far = static_cast<Lane>(leaving[i] & one_further[i]);
       const Lane near = static_cast<Lane>(leaving[i] - far);
       near_ring[i] = static_cast<Lane>(near_ring[i] + near);
       far_ring[i] = static_cast<Lane>(far_ring[i] + far);
     }
     expect(flown + near_rows + 1);
+  }
+
+  /// For the rows from this one on where hops are rounded alike: which lines' hops are one row longer.
+  void round_hops(std::int64_t flown) {
+    const Lane far_below = static_cast<Lane>(plan_.hop_table[0] & 0xff);
+    if (plan_.hop_by_height || far_below == 0) return;
+    Lane* __restrict one_further = one_further_;
+    draws_.fill(one_further, hop_key(plan_.sweep_word, static_cast<std::uint32_t>(flown)));
+    // As hop_rows: one row more where the random byte carries the fraction over.
+    const Lane near_below = static_cast<Lane>(256 - far_below);
+    ERG_EACH(i, lanes_) one_further[i] = one_further[i] >= near_below ? static_cast<Lane>(~Lane{0}) : Lane{0};
   }
 
   /// New slabs over an open edge.
@@ -122,4 +130,5 @@ class Flight {
   Strip<Lane>& strip_;
   const LineDraws<Lane>& draws_;
   const int lanes_;
+  alignas(64) Lane one_further_[strip_lines];  // mask: hops of these lines are a row longer than the others'
 };
