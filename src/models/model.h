@@ -89,6 +89,9 @@ struct ModelType {
   ModelInfo info;
   Parameters parameters;
   std::vector<FieldInfo> fields;
+  /// Bytes a cell, at most, that a run keeps for this model besides terrain, fields and an executor's planes of slabs: a
+  /// cover, a machine of its own. A run's need of memory is reckoned from it (sim/memory.h).
+  std::uint64_t working_bytes;
   std::function<std::unique_ptr<Model>(const ParameterValues&)> make;
   /// What the values mean in slabs and cells, in words for people ("repose 33.7 deg: a step of 3 slabs stands").
   std::function<std::vector<std::string>(const ParameterValues&, double cell_size)> explain;

@@ -84,6 +84,7 @@ ModelType nield_baas() {
            .painted = painted_plants()},
           nield_baas_parameters(),
           plant_fields(),
+          6,  // the cover, here and with the executor; where each species stood, while plants spread
           [](const ParameterValues& values) { return std::make_unique<NieldBaas>(values); },
           explain};
 }

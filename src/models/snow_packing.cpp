@@ -165,6 +165,7 @@ ModelType snow_packing() {
            .material = Material::snow},
           snow_packing_parameters(),
           snow_packing_fields(),
+          5,  // the cover, here and with the executor, with room
           [](const ParameterValues& values) { return std::make_unique<SnowPacking>(values); },
           explain};
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/constants.h"
 #include "core/units.h"
 #include "transport/snow_step.h"
 #include "wind/shadow.h"
@@ -13,8 +14,6 @@
 namespace erg {
 namespace {
 
-constexpr double gravity = 9.81;  // m/s2
-constexpr double karman = 0.4;
 constexpr double wind_height = 10;  // m
 constexpr double seconds_per_hour = 3600;
 constexpr double loose_density = 250;  // kg/m3, of snow that the wind has packed
@@ -225,7 +224,7 @@ void SnowSintering::prepare_law(const Terrain& terrain) {
   law_.rest_loose = real("rest_loose");
   law_.rest_hard = real("rest_hard");
   law_.rest_ground = real("rest_ground");
-  const double saltation = 0.68 * values_.real("air_density") / gravity / loose_density;
+  const double saltation = 0.68 * values_.real("air_density") / earth_gravity / loose_density;
   law_.lift_scale =
       static_cast<float>(saltation * values_.real("time_step") * values_.real("rest_loose") / (quantum() * cell_size));
   law_.standing = standing_step(values_.real("repose_angle"), cell_size, quantum());
@@ -294,6 +293,7 @@ ModelType snow_sintering() {
            .seconds_a_step = "time_step"},
           snow_sintering_parameters(),
           snow_sintering_fields(),
+          45,  // heights, weather and the strips of SnowMachine
           [](const ParameterValues& values) { return std::make_unique<SnowSintering>(values); },
           explain};
 }
