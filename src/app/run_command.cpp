@@ -1,4 +1,5 @@
 // `erg run`: grows dunes from a config.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -173,8 +174,11 @@ void add_run_command(CLI::App& program, Action& action) {
   }
   command->add_option("--out", request->out,
                       "Folder for the files of the run (default: out, once files are asked for)");
-  command->add_option("--every", request->every, "Write the files, and the rows of the CSV, every so many steps; without it the files at the end and about "
-                      "50 rows, at least 10 steps apart")
+  command
+      ->add_option(
+          "--every", request->every,
+          "Write the files, and the rows of the CSV, every so many steps; without it the files at the end and about "
+          "50 rows, at least 10 steps apart")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--format", request->formats,

@@ -162,7 +162,8 @@ ModelType snow_packing() {
            .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
            .step = "a day; polls as many cells as the grid has",
            .strength_label = slab_strength,
-           .material = Material::snow},
+           .material = Material::snow,
+           .asks_temperature = true},
           snow_packing_parameters(),
           snow_packing_fields(),
           5,  // the cover, here and with the executor, with room

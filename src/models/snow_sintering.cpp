@@ -290,6 +290,8 @@ ModelType snow_sintering() {
            .strength_label = "wind at 10 m, m/s",
            .material = Material::snow,
            .start = {.cell_size = 0.1, .strength = 11, .sand = 6},
+           .asks_temperature = true,
+           .asks_snowfall = true,
            .seconds_a_step = "time_step"},
           snow_sintering_parameters(),
           snow_sintering_fields(),

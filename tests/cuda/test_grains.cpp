@@ -4,30 +4,20 @@
 
 #include <algorithm>
 
-#include "emulated_calls.h"
 #include "grain_cases.h"
+#include "models/grains.h"
+#include "on_cards.h"
 
 namespace erg::test {
 namespace {
 
-TEST(CudaGrains, GiveTheSameBitsAsThreads) {
-  for (const GrainCase& scene : grain_cases()) {
-    for (const std::uint64_t shuffle : {1u, 2u}) {
-      const auto card = std::make_shared<Card>();
-      card->shuffle = shuffle;
-      card->threads = static_cast<int>(shuffle);
-      card->block = shuffle == 1 ? 64 : 33;
-      CudaExecutor executor({.name = "cuda", .threads = 1}, std::make_unique<EmulatedCalls>(card));
-      expect_same_as_threads(scene, executor);
-    }
-  }
-}
+TEST(CudaGrains, GiveTheSameBitsAsThreads) { expect_same_on_cards(grain_cases()); }
 
 /// High ground far upwind of low ground, so that shadows are looked for over many rows.
 TEST(CudaGrains, SeeTheSameShadowsBehindATower) {
   for (const double bearing : {270.0, 255.0, 40.0}) {
     const World world{.model = "grains", .extent = {260, 20}, .wind = {bearing, 6}, .sand = 3};
-    GrainCase scene{"a tower, bearing " + std::to_string(bearing), world, 0, 1};
+    Case scene{"a tower, bearing " + std::to_string(bearing), world, 0, 1};
     if (bearing == 40) std::swap(scene.world.extent.nx, scene.world.extent.ny);
     scene.rocks = 1900;  // 47 cells high: a shadow of 177 cells
     CudaExecutor executor({.name = "cuda", .threads = 1}, std::make_unique<EmulatedCalls>(std::make_shared<Card>()));

@@ -6,7 +6,7 @@
 
 #include "core/errors.h"
 #include "cuda/snow_plan.h"
-#include "emulated_calls.h"
+#include "on_cards.h"
 #include "snow_cases.h"
 #include "transport/snow_step.h"
 
@@ -18,23 +18,13 @@ std::unique_ptr<CudaExecutor> emulated(const std::shared_ptr<Card>& card, int sw
                                         std::make_unique<EmulatedCalls>(card));
 }
 
-TEST(CudaSnow, GivesTheSameBitsAsThreads) {
-  for (const SnowCase& scene : snow_cases()) {
-    for (const std::uint64_t shuffle : {1u, 2u}) {
-      const auto card = std::make_shared<Card>();
-      card->shuffle = shuffle;
-      card->threads = static_cast<int>(shuffle);
-      card->block = shuffle == 1 ? 64 : 33;
-      expect_same_as_threads(scene, *emulated(card, scene.sweeps));
-    }
-  }
-}
+TEST(CudaSnow, GivesTheSameBitsAsThreads) { expect_same_on_cards(snow_cases()); }
 
 /// Without this the cases would prove little: snow lifts, comes in, is carried off, bonds and comes free in them, and
 /// their flights cross edges.
 TEST(CudaSnow, ItsCasesHaveEverythingHappen) {
   double loose = 0;
-  for (const SnowCase& scene : snow_cases()) {
+  for (const Case& scene : snow_cases()) {
     if (scene.world.extent.cells() < 100) continue;
     const auto card = std::make_shared<Card>();
     const auto executor = emulated(card, scene.sweeps);

@@ -267,7 +267,6 @@ TEST(Grains, KeepingPathsChangesNothing) {
 
 TEST(Grains, PathsAreKeptUnderAnotherConfigToo) {
   Config config("grains");
-  start_as_model(config);
   config.grid.set("nx", std::int64_t{32});
   config.grid.set("ny", std::int64_t{32});
   Simulation run(config);

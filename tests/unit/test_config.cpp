@@ -81,12 +81,29 @@ TEST(Config, AnotherModelKeepsWhatWasSet) {
   EXPECT_EQ(config.parameters.find("linear"), nullptr);
 }
 
+TEST(Config, AnotherModelStartsWithItsOwnCellsWindAndSand) {
+  Config config("momiji");
+  set_from_text(config, "sand=50");
+  set_from_text(config, "model=grains");
+  Config expected("grains");
+  expected.scene.set("sand", 50.0);
+  EXPECT_EQ(config, expected);
+  EXPECT_TRUE(config.grid.is_default("cell_size"));
+  set_from_text(config, "wind.strength=8");
+  set_from_text(config, "model=momiji");
+  EXPECT_EQ(config.wind, Regime::constant(270, 8)) << "what was set stays";
+  EXPECT_EQ(config.scene.real("sand"), 50);
+  EXPECT_EQ(config.grid.real("cell_size"), 1);
+}
+
 TEST(Config, MistakesInAssignmentsTeach) {
   EXPECT_EQ(set_message("grid.nx=0"), "--set grid.nx=0: nx is 0; expected a whole number, 1 to 16384");
   EXPECT_EQ(set_message("stepps=3"), "--set stepps=3: unknown key \"stepps\"; did you mean \"steps\"?");
   EXPECT_EQ(set_message("run.stepps=3"), "--set run.stepps=3: unknown key \"run.stepps\"; did you mean \"run.steps\"?");
   EXPECT_EQ(set_message("boundary=opne"), "--set boundary=opne: unknown boundary \"opne\"; did you mean \"open\"?");
   EXPECT_EQ(set_message("model=bishopp"), "--set model=bishopp: unknown model \"bishopp\"; did you mean \"bishop\"?");
+  EXPECT_EQ(set_message("temperature.last=-3"),
+            "--set temperature.last=-3: \"momiji\" asks for no temperature; leave it out, or take a model that does");
   EXPECT_EQ(set_message("nx"), "--set nx: not an assignment; expected key=value, for example run.steps=500");
   EXPECT_EQ(set_message("=3"), "--set =3: not an assignment; expected key=value, for example run.steps=500");
   EXPECT_EQ(set_message("wind.strength=0"), "--set wind.strength=0: strength is 0; expected 0.1 to 8192");

@@ -73,6 +73,41 @@ TEST_F(ConfigFile, OnlyVersionAndModelAreNeeded) {
   EXPECT_EQ(parse_config(R"({"erg": 1, "model": "werner"})", "a.json"), Config("werner"));
 }
 
+// What a file leaves out is as the model starts with it, so that its forms come out of it.
+TEST_F(ConfigFile, WhatIsLeftOutIsAsTheModelStarts) {
+  const Config bare = parse_config(R"({"erg": 1, "model": "grains"})", "a.json");
+  EXPECT_EQ(bare, Config("grains"));
+  EXPECT_EQ(bare.grid.real("cell_size"), 0.01);
+  EXPECT_EQ(bare.scene.real("sand"), 200);
+  EXPECT_EQ(bare.wind, Regime::constant(270, 10));
+  const Config south =
+      parse_config(R"({"erg": 1, "model": "grains", "wind": {"seasons": [{"bearing": 180}, {"first": 7}]}})", "a.json");
+  EXPECT_EQ(south.wind.seasons[0], (Season{180, 10, 10, 1, {}}));
+  EXPECT_EQ(south.wind.seasons[1], (Season{270, 7, 7, 1, {}}));
+  for (const std::string& model : model_keys()) {
+    EXPECT_EQ(parse_config(config_text(Config(model)), "a.json"), Config(model)) << model;
+  }
+}
+
+TEST_F(ConfigFile, WeatherThatTheModelDoesNotAskForIsRefusedAndNotWritten) {
+  EXPECT_EQ(mistakes("{\"erg\": 1, \"model\": \"momiji\",\n\"temperature\": -5,\n\"wind\": {\"seasons\": [{},\n"
+                     "{\"snowfall\": 0}]}}"),
+            "a.json:2: \"momiji\" asks for no temperature; leave it out, or take a model that does\n"
+            "a.json:4: \"momiji\" asks for no snowfall; leave it out, or take a model that does");
+  EXPECT_EQ(mistakes(R"({"erg": 1, "model": "snow_packing", "temperature": -5})"), "no error");
+  EXPECT_NE(mistakes(R"({"erg": 1, "model": "snow_packing", "wind": {"seasons": [{"snowfall": 1}]}})"), "no error");
+  EXPECT_EQ(mistakes(R"({"erg": 1, "model": "snow_sintering", "wind": {"seasons": [{"snowfall": 1}]}})"), "no error");
+
+  Config config("snow_sintering");  // as a setup of the window, whose model may change
+  config.temperature.last = -2;
+  config.wind.seasons.front().snowfall = 3;
+  EXPECT_EQ(parse_config(config_text(config), "a.json"), config);
+  change_model(config, "momiji");
+  const Config read = parse_config(config_text(config), "a.json");
+  EXPECT_EQ(read.temperature, Temperature{});
+  EXPECT_EQ(read.wind.seasons.front().snowfall, 0);
+}
+
 TEST_F(ConfigFile, ReadsEverything) {
   const Config config = parse_config(R"({
     "erg": 1, "title": "T", "description": "D.", "model": "bishop",
