@@ -9,7 +9,7 @@ namespace erg {
 namespace {
 
 // Fields, in their order on the terrain.
-enum FieldNumber : std::size_t { vegetation, first_species, balance = first_species + 3, last_year };
+enum PlantField : std::size_t { vegetation, first_species, balance = first_species + 3, last_year };
 
 constexpr std::uint64_t before_the_first_step = std::numeric_limits<std::uint64_t>::max();
 enum PlantDraw : std::uint64_t { draw_scatter = 40, draw_lateral, draw_establishment };

@@ -151,7 +151,7 @@ void fill(OctaveTable& table, const Function& function) {
   }
 }
 
-std::vector<std::string> explain(const ParameterValues& values, double cell_size) {
+std::vector<std::string> explain_sintering(const ParameterValues& values, double cell_size) {
   char time[120], loose_snow[160], hop[160];
   std::snprintf(time, sizeof time, "a step is %g s: an hour is %.0f steps", values.real("time_step"),
                 seconds_per_hour / values.real("time_step"));
@@ -297,7 +297,7 @@ ModelType snow_sintering() {
           snow_sintering_fields(),
           45,  // heights, weather and the strips of SnowMachine
           [](const ParameterValues& values) { return std::make_unique<SnowSintering>(values); },
-          explain};
+          explain_sintering};
 }
 
 }  // namespace erg

@@ -97,15 +97,15 @@ inline void expect_same(const StepReport& ours, const StepReport& theirs, const 
 }
 
 /// All that a run leaves.
-struct Ending {
+struct CaseEnd {
   Terrain terrain;
   StepReport report;
   Grid<std::int32_t> lifts;
   std::vector<Reading> readings;
 };
 
-inline Ending run_on(Executor& executor, const Case& scene) {
-  Ending ending{ground(scene), {}, Grid<std::int32_t>(scene.world.extent), {}};
+inline CaseEnd run_on(Executor& executor, const Case& scene) {
+  CaseEnd ending{ground(scene), {}, Grid<std::int32_t>(scene.world.extent), {}};
   const auto model = find_model(scene.world.model).make(scene.world.values());
   model->prepare({.seed = scene.world.seed});
   model->begin(ending.terrain);
@@ -125,8 +125,8 @@ inline Ending run_on(Executor& executor, const Case& scene) {
 
 /// Terrain with its fields, ledger, lifts, reports and readings of a run on `executor` are those of a run on `cpu`.
 inline void expect_same_as_threads(const Case& scene, CudaExecutor& executor) {
-  const Ending theirs = run_on(*make_executor(scene.options()), scene);
-  const Ending ours = run_on(executor, scene);
+  const CaseEnd theirs = run_on(*make_executor(scene.options()), scene);
+  const CaseEnd ours = run_on(executor, scene);
   EXPECT_EQ(executor.name(), "cuda") << executor.take_notice();
   EXPECT_NE(state_hash(theirs.terrain), state_hash(ground(scene))) << scene.name;
   EXPECT_TRUE(ours.terrain.mobile() == theirs.terrain.mobile()) << scene.name;
