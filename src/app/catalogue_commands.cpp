@@ -8,7 +8,6 @@
 #include "app/text_table.h"
 #include "core/joined.h"
 #include "models/model.h"
-#include "sim/config.h"
 
 namespace erg {
 namespace {

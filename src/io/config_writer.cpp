@@ -74,7 +74,7 @@ Json wind_json(const Regime& wind, bool snows) {
 }  // namespace
 
 std::string config_text(const Config& config) {
-  const ModelInfo& asking = find_model(config.model).info;  // what of the weather it does not, no reader accepts
+  const ModelInfo& asking = find_model(config.model).info;  // a reader refuses what it does not ask for
   Json json;
   json["erg"] = config_version;
   if (!config.title.empty()) json["title"] = config.title;

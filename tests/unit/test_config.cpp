@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "io/config_file.h"
 #include "message.h"
 #include "models/model.h"
 
@@ -94,6 +95,31 @@ TEST(Config, AnotherModelStartsWithItsOwnCellsWindAndSand) {
   EXPECT_EQ(config.wind, Regime::constant(270, 8)) << "what was set stays";
   EXPECT_EQ(config.scene.real("sand"), 50);
   EXPECT_EQ(config.grid.real("cell_size"), 1);
+}
+
+/// What is said against the text of a config.
+std::string text_message(const std::string& text) {
+  return message([&] { parse_config(text, "a.json"); });
+}
+
+TEST(Config, WeatherThatTheModelDoesNotAskForIsRefusedAndNotWritten) {
+  EXPECT_EQ(text_message("{\"erg\": 1, \"model\": \"momiji\",\n\"temperature\": -5,\n\"wind\": {\"seasons\": [{},\n"
+                         "{\"snowfall\": 0}]}}"),
+            "a.json:2: \"momiji\" asks for no temperature; leave it out, or take a model that does\n"
+            "a.json:4: \"momiji\" asks for no snowfall; leave it out, or take a model that does");
+  EXPECT_EQ(text_message(R"({"erg": 1, "model": "snow_packing", "temperature": -5})"), "no error");
+  EXPECT_NE(text_message(R"({"erg": 1, "model": "snow_packing", "wind": {"seasons": [{"snowfall": 1}]}})"), "no error");
+  EXPECT_EQ(text_message(R"({"erg": 1, "model": "snow_sintering", "wind": {"seasons": [{"snowfall": 1}]}})"),
+            "no error");
+
+  Config config("snow_sintering");  // as a setup of the window, whose model may change
+  config.temperature.last = -2;
+  config.wind.seasons.front().snowfall = 3;
+  EXPECT_EQ(parse_config(config_text(config), "a.json"), config);
+  change_model(config, "momiji");
+  const Config read = parse_config(config_text(config), "a.json");
+  EXPECT_EQ(read.temperature, Temperature{});
+  EXPECT_EQ(read.wind.seasons.front().snowfall, 0);
 }
 
 TEST(Config, MistakesInAssignmentsTeach) {

@@ -89,25 +89,6 @@ TEST_F(ConfigFile, WhatIsLeftOutIsAsTheModelStarts) {
   }
 }
 
-TEST_F(ConfigFile, WeatherThatTheModelDoesNotAskForIsRefusedAndNotWritten) {
-  EXPECT_EQ(mistakes("{\"erg\": 1, \"model\": \"momiji\",\n\"temperature\": -5,\n\"wind\": {\"seasons\": [{},\n"
-                     "{\"snowfall\": 0}]}}"),
-            "a.json:2: \"momiji\" asks for no temperature; leave it out, or take a model that does\n"
-            "a.json:4: \"momiji\" asks for no snowfall; leave it out, or take a model that does");
-  EXPECT_EQ(mistakes(R"({"erg": 1, "model": "snow_packing", "temperature": -5})"), "no error");
-  EXPECT_NE(mistakes(R"({"erg": 1, "model": "snow_packing", "wind": {"seasons": [{"snowfall": 1}]}})"), "no error");
-  EXPECT_EQ(mistakes(R"({"erg": 1, "model": "snow_sintering", "wind": {"seasons": [{"snowfall": 1}]}})"), "no error");
-
-  Config config("snow_sintering");  // as a setup of the window, whose model may change
-  config.temperature.last = -2;
-  config.wind.seasons.front().snowfall = 3;
-  EXPECT_EQ(parse_config(config_text(config), "a.json"), config);
-  change_model(config, "momiji");
-  const Config read = parse_config(config_text(config), "a.json");
-  EXPECT_EQ(read.temperature, Temperature{});
-  EXPECT_EQ(read.wind.seasons.front().snowfall, 0);
-}
-
 TEST_F(ConfigFile, ReadsEverything) {
   const Config config = parse_config(R"({
     "erg": 1, "title": "T", "description": "D.", "model": "bishop",
