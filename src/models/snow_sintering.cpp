@@ -8,6 +8,7 @@
 
 #include "core/constants.h"
 #include "core/units.h"
+#include "models/model.h"
 #include "transport/snow_step.h"
 #include "wind/shadow.h"
 
