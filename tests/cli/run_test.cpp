@@ -164,7 +164,8 @@ TEST(Run, RowsOfTheTableStandTenStepsApartUnlessAskedOtherwise) {
   using Steps = std::vector<std::string>;
   ASSERT_EQ(run_erg(folder, {"run", config, "--out", "out", "--format", "csv", "--quiet"}).exit_code, 0);
   EXPECT_EQ(steps_of_rows(read_bytes(folder.file("out/small.csv"))), (Steps{"0", "10", "20", "25"}));
-  ASSERT_EQ(run_erg(folder, {"run", config, "--out", "two", "--format", "csv", "--every", "8", "--quiet"}).exit_code, 0);
+  ASSERT_EQ(run_erg(folder, {"run", config, "--out", "two", "--format", "csv", "--every", "8", "--quiet"}).exit_code,
+            0);
   EXPECT_EQ(steps_of_rows(read_bytes(folder.file("two/small.csv"))), (Steps{"0", "8", "16", "24", "25"}));
 }
 
