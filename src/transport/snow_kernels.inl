@@ -67,22 +67,6 @@ void rest(const SnowLaw& law, const SnowRestRow& row) {
   }
 }
 
-void find_runs(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count) {
-  alignas(64) std::int16_t height[64];
-  alignas(64) std::int16_t run[64];
-  const std::int16_t* __restrict from = over;
-  ERG_EACH(i, 64) {
-    height[i] = static_cast<std::int16_t>(flying_height(from[i], clearance_16));
-    run[i] = unhindered_run;
-  }
-  for (int k = reach; k > 0; --k) {
-    const std::int16_t* __restrict ahead = over + k * next_row;
-    const auto rows = static_cast<std::int16_t>(k);
-    ERG_EACH(i, 64) run[i] = ahead[i] > height[i] ? rows : run[i];
-  }
-  for (int i = 0; i < count; ++i) cells[i].run = run[i];
-}
-
 std::uint64_t find_steep(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
                          const std::int32_t* snow_b, int count, int step) {
   alignas(64) std::uint8_t steep[64] = {};
@@ -220,6 +204,7 @@ void average(const Sum* __restrict sums, float share, float* __restrict means, i
   ERG_EACH(i, count) means[i] = static_cast<float>(static_cast<Signed>(sums[i])) * share;
 }
 
+#include "transport/snow_exchange.inl"
 #include "transport/snow_flight.inl"
 
 #undef ERG_EACH
@@ -229,13 +214,13 @@ void average(const Sum* __restrict sums, float share, float* __restrict means, i
 extern const SnowKernels snow_kernels;
 const SnowKernels snow_kernels{weather,
                                rest,
+                               draw_polls,
                                lift,
                                launch,
                                land,
                                draw_rows,
                                take_snow,
                                give_snow,
-                               find_runs,
                                find_steep,
                                strength,
                                survey,

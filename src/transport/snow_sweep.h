@@ -94,41 +94,68 @@ struct SnowRestRow {
 
 /// Most lines of a strip.
 inline constexpr int snow_lines = 64;
+/// Rows that are gone through together: one bit each in a word.
+inline constexpr int snow_window = 64;
+
+/// A cell of a strip: all that a slab needs to know that comes down there, in as few bytes as can be.
+struct alignas(8) StripCell {
+  std::uint32_t snow = 0;  ///< snow_word
+  std::uint32_t way = 0;   ///< mean hop in 1/64 rows (SnowWeather); upper half: rows that a slab can fly from here before
+                           ///< higher ground ends its hop, and as the highest bit whether one has come to rest here in
+                           ///< this step
+};
+ERG_CELL_RULE int run_of(std::uint32_t way) { return static_cast<int>(way >> 16 & 0x7fff); }
+inline constexpr std::uint32_t snow_has_landed = std::uint32_t{1} << 31;
 
 /// A strip's cells as the kernels see them.
 struct SnowLines {
-  SnowCell* cells = nullptr;  ///< of row 0, line 0
-  int next_row = 0;           ///< from a cell to that in the next row
-  int next_line = 0;
+  StripCell* cells = nullptr;
+  const std::uint16_t* powers = nullptr;  ///< upper half of SnowWeather::hops, of each cell
+  const int* places = nullptr;            ///< of line 0 in each row, from row 0 on
+  int next_line = 0;                      ///< from a cell to that of the next line
   int first_line = 0;
   int lines = 0;
 };
 
-/// Rows that are gone through together: one bit each in a word.
-inline constexpr int snow_window = 64;
+/// The cells that a step's sub-sweeps poll in a window, as far as a slab might lift: known before the flights. A word
+/// for each: line, row of the window, and whether loose snow would lift, and bonded snow.
+inline constexpr int polled_row_bit = 6;
+inline constexpr int lifts_loose_bit = 12;
+inline constexpr int lifts_hard_bit = 13;
+/// As many of them as a window may have, in all sub-sweeps together. The lists are as long for each.
+inline constexpr int polls_of_window = snow_lines * snow_window;
 
-/// A block of rows in which a sub-sweep polls each line once.
-struct SnowPolls {
+struct SnowPollDraw {
   int first_row = 0;
-  int rows = 0;
-  std::uint32_t key = 0;                      ///< snow_poll_key
-  std::uint32_t chance_key = 0;               ///< of the chances to lift
-  const std::uint32_t* polled_row = nullptr;  ///< 256 rows, one for each random byte
-  const std::uint64_t* row_words = nullptr;   ///< flight_row_word of each row
+  int end = 0;
+  int sweeps = 8;
+  const SnowSweep* draws = nullptr;        ///< of each sub-sweep
+  const std::uint32_t* chances = nullptr;  ///< SnowWeather of each cell of the strip
+  std::uint16_t* polls = nullptr;          ///< to be written: the lists of the sub-sweeps one after another
+  int* counts = nullptr;                   ///< to be written: how many polls each has
+};
+
+/// Polls of a window in a sub-sweep, `snow_lines` at most.
+struct SnowPolls {
+  const std::uint16_t* polls = nullptr;
+  int count = 0;
+  int first_row = 0;
+  const std::uint64_t* row_words = nullptr;  ///< flight_row_word of each row
 };
 
 /// Slabs in the air, in the rows where they will come down. Rows are a ring of whole windows.
 struct SnowAir {
-  std::uint64_t* loads = nullptr;  ///< for each line and row: slabs, and in the lower half the shares of hops they flew
+  std::uint64_t* loads = nullptr;  ///< for each window, line and row: slabs, and in the lower half the shares of hops
+                                   ///< that they flew
   std::uint64_t* falls = nullptr;  ///< for each window and line, one bit for each row that has a load
   int windows = 1;                 ///< a power of two
-  int next_line = 0;               ///< from a load to that of the next line
   std::int64_t rows_flown = 0;
   std::int64_t carried_off = 0;
 };
-/// Slabs that lift from a block, each from a line of its own.
+/// Slabs that lift, and where they come down. Those of polls from which none does have no load.
 struct SnowLifts {
-  int count = 0;
+  int count = 0;  ///< of the polls
+  int lifted = 0;
   std::int64_t rows_flown = 0;
   alignas(64) std::int32_t line[snow_lines];
   alignas(64) std::int32_t row[snow_lines];   ///< that they lift from
@@ -159,7 +186,20 @@ struct SnowLandings {
 /// The surface before the first row of an open grid.
 inline constexpr std::int32_t no_surface = -0x7fffffff - 1;
 
-/// Cells that lie side by side in a strip, which takes their snow from the terrain and gives it back.
+/// What stands ahead of cells that lie side by side, row by row down the wind: heights over the smoothed surface.
+struct SnowAhead {
+  const std::int16_t* heights = nullptr;  ///< of the cells
+  int next_row = 1;  ///< from a cell to that of its line in the next row, if lines do not drift
+  int reach = 1;     ///< rows to look ahead
+  // Where the cells lie along oblique lines. From row to row each line goes on in the same place or in that beside it.
+  const std::int16_t* drifted = nullptr;        ///< columns that lines have moved, from the first cell's row on; null:
+                                                ///< they do not
+  const std::int16_t* least_drifted = nullptr;  ///< the least that they move in so many rows; at most 1 more
+  int next_line = 0;
+};
+
+/// Cells that lie side by side in the terrain and in a strip, `snow_window` at most: a strip takes their snow from the
+/// terrain and gives it back.
 struct SnowStretch {
   const SnowLaw* law = nullptr;
   int count = 0;
@@ -169,16 +209,19 @@ struct SnowStretch {
   float* landed = nullptr;
   const std::uint32_t* chances = nullptr;
   const std::uint32_t* hops = nullptr;
-  const std::int16_t* over = nullptr;
-  SnowCell* cells = nullptr;
-  std::int16_t* heights = nullptr;  ///< `over` in the strip
+  SnowAhead ahead;
+  // In the strip.
+  StripCell* cells = nullptr;
+  std::uint16_t* powers = nullptr;
+  std::uint32_t* polled_chances = nullptr;
 };
 
 struct SnowKernels {
   /// Returns the longest mean hop, in 1/64 rows.
   std::uint32_t (*weather)(const SnowLaw& law, const SnowWeatherRow& row);
   void (*rest)(const SnowLaw& law, const SnowRestRow& row);
-  /// Finds the slabs that lift from a block, and takes them off their cells.
+  void (*draw_polls)(const SnowPollDraw& draw, const SnowLines& lines);
+  /// Finds the slabs that lift from polled cells, and takes them off these.
   void (*lift)(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, SnowLifts& lifts);
   /// Puts them into the air.
   void (*launch)(const SnowLifts& lifts, SnowAir& air);
@@ -190,9 +233,6 @@ struct SnowKernels {
   void (*draw_rows)(std::uint32_t sweep_key, int first_row, std::uint64_t* row_words);
   void (*take_snow)(const SnowStretch& stretch);
   void (*give_snow)(const SnowStretch& stretch);
-  /// Finds the runs of `count` cells that lie side by side, 64 at most: rows until higher ground, looking `reach` rows
-  /// ahead; `unhindered_run` where there is none. `over` has `next_row` from a cell to that in the next row.
-  void (*find_runs)(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count);
   /// Which of `count` surfaces in `a` (64 at most) stand more than `step` over or under those in `b`, as bits. Ground
   /// may be null where it is level.
   std::uint64_t (*find_steep)(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
