@@ -5,8 +5,9 @@
 
 namespace erg {
 
-/// Calls visit(row, line, count) for the cells of some rows, as many at a time as lie side by side in the terrain and in
-/// the strip: lines of a row, or rows that follow each other in one row of the terrain. Rows may lie beyond the grid.
+/// Calls visit(row, line, count) for the cells of some rows, as many at a time as lie side by side in the terrain and
+/// in the strip: lines of a row, or rows that follow each other in one row of the terrain. Rows may lie beyond the
+/// grid.
 template <typename Visit>
 void SnowStrip::for_stretches(int begin, int end, const Visit& visit) const {
   if (!plan_.places->along) {
@@ -26,7 +27,7 @@ void SnowStrip::for_stretches(int begin, int end, const Visit& visit) const {
     while (there - drifted[from] >= lines_) ++from;
     for (int row = from; row < to;) {
       const int edge = (row / length + 1) * length;
-      const int count = std::min({to - row, edge - row, snow_window});
+      const int count = std::min({to - row, edge - row, snow_stretch});
       visit(row, there - drifted[row], count);
       row += count;
     }
@@ -105,15 +106,13 @@ void SnowStrip::take_ground(int begin, int end) {
 void SnowStrip::take_rows(int end) {
   take_heights(end + plan_.reach);
   if (plan_.relief) take_ground(rows_, end);
-  for_stretches(rows_, end,
-                [&](int row, int line, int count) { plan_.kernels->take_snow(stretch(row, line, count)); });
+  for_stretches(rows_, end, [&](int row, int line, int count) { plan_.kernels->take_snow(stretch(row, line, count)); });
   rows_ = end;
 }
 
 void SnowStrip::store() {
   if (rows_ == 0) return;
-  for_stretches(0, rows_,
-                [&](int row, int line, int count) { plan_.kernels->give_snow(stretch(row, line, count)); });
+  for_stretches(0, rows_, [&](int row, int line, int count) { plan_.kernels->give_snow(stretch(row, line, count)); });
 }
 
 }  // namespace erg

@@ -3,9 +3,9 @@
 
 /// Rows until higher ground, of cells side by side; `unhindered_run` where there is none within reach.
 [[gnu::always_inline]] inline void find_runs(const SnowAhead& ahead, int clearance_16, std::int16_t* __restrict run) {
-  alignas(64) std::int16_t height[snow_window];
+  alignas(64) std::int16_t height[snow_stretch];
   const std::int16_t* __restrict from = ahead.heights;
-  ERG_EACH(i, snow_window) {
+  ERG_EACH(i, snow_stretch) {
     height[i] = static_cast<std::int16_t>(flying_height(from[i], clearance_16));
     run[i] = unhindered_run;
   }
@@ -13,22 +13,25 @@
     for (int k = ahead.reach; k > 0; --k) {
       const std::int16_t* __restrict there = from + k * ahead.next_row;
       const auto rows = static_cast<std::int16_t>(k);
-      ERG_EACH(i, snow_window) run[i] = there[i] > height[i] ? rows : run[i];
+      ERG_EACH(i, snow_stretch) run[i] = there[i] > height[i] ? rows : run[i];
     }
     return;
   }
-  alignas(64) std::int16_t before[snow_window];
+  alignas(64) std::int16_t before[snow_stretch];
   const std::int16_t* __restrict drifted = ahead.drifted;
-  ERG_EACH(i, snow_window) before[i] = drifted[i];
+  ERG_EACH(i, snow_stretch) before[i] = drifted[i];
   for (int k = ahead.reach; k > 0; --k) {
     const std::int16_t least = ahead.least_drifted[k];
     const std::int16_t* __restrict there = from + k * ahead.next_row + least * ahead.next_line;
     const std::int16_t* __restrict beside = there + ahead.next_line;
     const std::int16_t* __restrict after = drifted + k;
     const auto rows = static_cast<std::int16_t>(k);
-    ERG_EACH(i, snow_window) {
+    ERG_EACH(i, snow_stretch) {
+      // Both are read, for a choice between two reads is no vector's.
+      const std::int16_t straight = there[i];
+      const std::int16_t aside = beside[i];
       const auto moved = static_cast<std::int16_t>(after[i] - before[i]);
-      const std::int16_t met = moved > least ? beside[i] : there[i];
+      const std::int16_t met = moved > least ? aside : straight;
       run[i] = met > height[i] ? rows : run[i];
     }
   }
@@ -53,7 +56,7 @@ template <int step>
 }
 
 void take_snow(const SnowStretch& stretch) {
-  alignas(64) std::int16_t run[snow_window];
+  alignas(64) std::int16_t run[snow_stretch];
   find_runs(stretch.ahead, stretch.law->clearance_16, run);
   if (stretch.step == 1) {
     take_in_order<1>(stretch, run);
@@ -85,43 +88,44 @@ void give_snow(const SnowStretch& stretch) {
   }
 }
 
-/// The polls of a block of rows in one sub-sweep, one a line: as SnowPollDraw lists them, those beyond the last line or
-/// row, and those that cannot lift anything, with neither bit set.
+/// The polls of a block of rows in one sub-sweep, one a line: as SnowPollDraw lists them; those beyond the last line,
+/// in other rows than the window's and those that cannot lift anything with neither bit set.
 [[gnu::always_inline]] inline void poll_block(const SnowPollDraw& draw, const SnowLines& lines, const SnowSweep& sweep,
-                                              int row, const std::uint32_t* __restrict words,
+                                              int block, const std::uint32_t* __restrict words,
                                               std::uint16_t* __restrict polls) {
   const std::uint32_t* __restrict polled_row = sweep.polled_row;
   const std::uint32_t* __restrict chances = draw.chances;
-  const int* __restrict places = lines.places + row;
+  const int* __restrict places = lines.places + draw.first_row;
   const std::uint32_t key = sweep.key;
-  const std::int32_t rows = draw.end - row;
-  const std::int32_t first = row - draw.first_row;
+  const std::int32_t rows = draw.end - draw.first_row;
+  const std::int32_t first = block - draw.first_row;
   const std::int32_t next_line = lines.next_line;
   const std::int32_t count_lines = lines.lines;
   ERG_EACH(i, snow_lines) {
     const std::uint32_t word = words[i];
-    const auto polled = static_cast<std::int32_t>(polled_row[static_cast<std::int32_t>(word >> 24)]);
-    const std::uint32_t here = chances[places[polled] + i * next_line];
+    const std::int32_t row = first + static_cast<std::int32_t>(polled_row[static_cast<std::int32_t>(word >> 24)]);
+    const std::int32_t polled = (row >= 0 ? 1 : 0) & (row < rows ? 1 : 0) & (i < count_lines ? 1 : 0);
+    const std::int32_t there = row & -polled;
+    const std::uint32_t here = chances[places[there] + i * next_line];
     const std::uint32_t drawn = snow_poll_draw(word, key);
-    const std::uint32_t lifts = (drawn < (here & 0xffff) ? 1u << lifts_loose_bit : 0u) |
-                                (drawn < here >> 16 ? 1u << lifts_hard_bit : 0u);
-    const std::uint32_t there = (polled < rows ? 1 : 0) & (i < count_lines ? 1 : 0);
-    const auto place = static_cast<std::uint32_t>((first + polled) << polled_row_bit | i);
-    polls[i] = static_cast<std::uint16_t>(place | (lifts & -there));
+    const std::uint32_t lifts =
+        (drawn < (here & 0xffff) ? 1u << lifts_loose_bit : 0u) | (drawn < here >> 16 ? 1u << lifts_hard_bit : 0u);
+    const auto place = static_cast<std::uint32_t>(there << polled_row_bit | i);
+    polls[i] = static_cast<std::uint16_t>(place | (lifts & -static_cast<std::uint32_t>(polled)));
   }
 }
 
 void draw_polls(const SnowPollDraw& draw, const SnowLines& lines) {
   alignas(64) std::uint32_t words[snow_lines];
   alignas(64) std::uint16_t polls[snow_lines];
-  const int most = polls_of_window / draw.sweeps;
+  const int most = most_polls(draw.sweeps);
   for (int number = 0; number < draw.sweeps; ++number) draw.counts[number] = 0;
-  for (int row = draw.first_row; row < draw.end; row += draw.sweeps) {
-    const std::uint32_t key = snow_poll_key(draw.draws[0], row);
+  for (int block = draw.first_row & -draw.sweeps; block < draw.end; block += draw.sweeps) {
+    const std::uint32_t key = snow_poll_key(draw.draws[0], block);
     const auto first_line = static_cast<std::uint32_t>(lines.first_line);
     ERG_EACH(i, snow_lines) words[i] = snow_poll_word(key, first_line + static_cast<std::uint32_t>(i));
     for (int number = 0; number < draw.sweeps; ++number) {
-      poll_block(draw, lines, draw.draws[number], row, words, polls);
+      poll_block(draw, lines, draw.draws[number], block, words, polls);
       std::uint16_t* const list = draw.polls + number * most;
       int count = draw.counts[number];
       for (int i = 0; i < snow_lines; ++i) {

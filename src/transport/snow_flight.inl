@@ -35,14 +35,12 @@ void lift(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, Sn
     std::int32_t* __restrict fall = lifts.fall + first;
     std::int32_t* __restrict place = lifts.place + first;
     std::int32_t* __restrict window = lifts.window + first;
-    std::uint64_t* __restrict load = lifts.load + first;
-    std::uint64_t* __restrict bit = lifts.bit + first;
+    std::uint32_t* __restrict load = lifts.load + first;
+    std::uint32_t* __restrict bit = lifts.bit + first;
     alignas(64) std::int32_t row[side_by_side];
     alignas(64) std::uint64_t word[side_by_side];
     alignas(64) std::uint32_t way[side_by_side];
     alignas(64) std::uint32_t goes[side_by_side];
-    alignas(64) std::uint32_t share[side_by_side];
-    alignas(64) std::uint32_t shift[side_by_side];
     const std::int32_t lanes = count - first;
     ERG_EACH(k, side_by_side) {
       const std::int32_t polled = poll[k];
@@ -68,17 +66,12 @@ void lift(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, Sn
       const std::int32_t to = from[k] + flown;
       const std::int32_t to_window = to / snow_window & windows;
       fall[k] = to;
-      share[k] = share_of_hop(flown, whole);
-      shift[k] = static_cast<std::uint32_t>(to & (snow_window - 1));
       window[k] = to_window * snow_lines + line[k];
       place[k] = window[k] * snow_window + (to & (snow_window - 1));
+      load[k] = -goes[k] & (short_slab + share_of_hop(flown, whole));
+      bit[k] = goes[k] << (to & (snow_window - 1));
       rows_flown += flown & -static_cast<std::int32_t>(goes[k]);
       lifted += static_cast<std::int32_t>(goes[k]);
-    }
-    ERG_EACH(k, side_by_side) {
-      const std::uint64_t lets_go = goes[k];
-      load[k] = lets_go * one_slab + (-lets_go & share[k]);
-      bit[k] = lets_go << shift[k];
     }
   }
   for (int k = 0; k < count; ++k) words[2 * cell[k]] = snow_left[k];
@@ -88,11 +81,10 @@ void lift(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, Sn
 }
 
 void launch(const SnowLifts& lifts, SnowAir& air) {
-  std::uint64_t* const loads = air.loads;
-  std::uint64_t* const falls = air.falls;
+  const SnowAir here = air;
   for (int k = 0; k < lifts.count; ++k) {
-    loads[lifts.place[k]] += lifts.load[k];
-    falls[lifts.window[k]] |= lifts.bit[k];
+    here.put(lifts.place[k], lifts.load[k]);
+    here.falls[lifts.window[k]] |= lifts.bit[k];
   }
   air.rows_flown += lifts.rows_flown;
 }
@@ -104,55 +96,62 @@ void launch(const SnowLifts& lifts, SnowAir& air) {
 struct Arrivals {
   int count = 0;
   alignas(64) std::int32_t line[snow_lines + side_by_side];
-  alignas(64) std::uint64_t waiting[snow_lines + side_by_side];  // rows in which something comes down, as bits
+  alignas(64) std::uint32_t waiting[snow_lines + side_by_side];  // rows in which something comes down, as bits
   alignas(64) std::int32_t row[snow_lines];                      // of the window
   alignas(64) std::int32_t from[snow_lines];                     // the load's place in the air
   alignas(64) std::int32_t cell[snow_lines];                     // of the strip
-  alignas(64) std::uint64_t load[snow_lines];
-  alignas(64) std::uint64_t found[snow_lines];  // the cells before
+  alignas(64) std::uint32_t load[snow_lines];
   alignas(64) std::uint64_t word[snow_lines];
-  alignas(64) std::uint64_t left[snow_lines];   // the cells afterwards
-  alignas(64) std::uint32_t rest[snow_lines];   // chance of 65536 to stay
+  alignas(64) std::uint32_t snow[snow_lines];  // of the cells before
+  alignas(64) std::uint32_t way[snow_lines];
+  alignas(64) std::uint32_t snow_left[snow_lines];  // of the cells afterwards
+  alignas(64) std::uint32_t way_left[snow_lines];
+  alignas(64) std::uint32_t rest[snow_lines];     // chance of 65536 to stay
   alignas(64) std::uint32_t further[snow_lines];  // what is not yet decided: `strikes_bonded`, `is_crowd`
   // Where the first slab flies on: its next load, and which bit says so. Both 0 where it does not.
   alignas(64) std::int32_t place[snow_lines];
   alignas(64) std::int32_t window[snow_lines];
-  alignas(64) std::uint64_t push[snow_lines];
-  alignas(64) std::uint64_t fall[snow_lines];
+  alignas(64) std::uint32_t push[snow_lines];
+  alignas(64) std::uint32_t fall[snow_lines];
 };
 constexpr std::uint32_t strikes_bonded = 1;
 constexpr std::uint32_t is_crowd = 2;  // more than one slab
 
-/// The number of a word's only bit.
-[[gnu::always_inline]] inline std::int32_t number_of_bit(std::uint64_t bit) {
-  return static_cast<std::int32_t>(__builtin_bit_cast(std::uint64_t, static_cast<double>(bit)) >> 52) - 1023;
+/// The number of a word's lowest bit.
+[[gnu::always_inline]] inline std::int32_t lowest_bit(std::uint32_t word) {
+  const auto alone = static_cast<float>(word & -word);
+  return static_cast<std::int32_t>(__builtin_bit_cast(std::uint32_t, alone) >> 23) - 127;
 }
 
 /// Takes the first load out of the air over each line, and looks at the cells there.
 void take_first(const SnowLines& lines, int first_row, const SnowAir& air, Arrivals& all) {
   const std::int32_t air_place = (first_row / snow_window & (air.windows - 1)) * snow_lines * snow_window;
   const int* __restrict places = lines.places + first_row;
-  const std::uint64_t* __restrict loads = air.loads;
-  const auto* __restrict cells = reinterpret_cast<const std::uint64_t*>(lines.cells);
+  const std::uint32_t* __restrict loads = air.loads;
+  // A cell's two words.
+  const auto* __restrict words = reinterpret_cast<const std::uint32_t*>(lines.cells);
   const std::int32_t next_line = lines.next_line;
   for (int first = 0; first < all.count; first += side_by_side) {
     const std::int32_t* __restrict line = all.line + first;
-    std::uint64_t* __restrict waiting = all.waiting + first;
+    std::uint32_t* __restrict waiting = all.waiting + first;
     std::int32_t* __restrict row = all.row + first;
     std::int32_t* __restrict from = all.from + first;
     std::int32_t* __restrict cell = all.cell + first;
-    std::uint64_t* __restrict load = all.load + first;
-    std::uint64_t* __restrict found = all.found + first;
+    std::uint32_t* __restrict load = all.load + first;
+    std::uint32_t* __restrict snow = all.snow + first;
+    std::uint32_t* __restrict way = all.way + first;
     ERG_EACH(k, side_by_side) {
-      row[k] = number_of_bit(waiting[k] & -waiting[k]);
+      const std::int32_t there = lowest_bit(waiting[k]);
+      const std::int32_t place = air_place + line[k] * snow_window + there;
+      const std::int32_t here = places[there] + line[k] * next_line;
+      row[k] = there;
+      from[k] = place;
+      cell[k] = here;
       waiting[k] &= waiting[k] - 1;
+      load[k] = loads[place];
+      snow[k] = words[2 * here];
+      way[k] = words[2 * here + 1];
     }
-    ERG_EACH(k, side_by_side) {
-      from[k] = air_place + line[k] * snow_window + row[k];
-      cell[k] = places[row[k]] + line[k] * next_line;
-    }
-    ERG_EACH(k, side_by_side) load[k] = loads[from[k]];
-    ERG_EACH(k, side_by_side) found[k] = cells[cell[k]];
   }
 }
 
@@ -175,60 +174,49 @@ void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_wo
   for (int first = 0; first < count; first += side_by_side) {
     const std::int32_t* __restrict line = all.line + first;
     const std::int32_t* __restrict row = all.row + first;
-    const std::uint64_t* __restrict load = all.load + first;
-    const std::uint64_t* __restrict found = all.found + first;
-    std::uint64_t* __restrict waiting = all.waiting + first;
+    const std::uint32_t* __restrict load = all.load + first;
+    const std::uint32_t* __restrict snow = all.snow + first;
+    const std::uint32_t* __restrict way = all.way + first;
+    std::uint32_t* __restrict waiting = all.waiting + first;
     std::uint64_t* __restrict word = all.word + first;
-    std::uint64_t* __restrict left = all.left + first;
+    std::uint32_t* __restrict snow_left = all.snow_left + first;
+    std::uint32_t* __restrict way_left = all.way_left + first;
     std::uint32_t* __restrict chance = all.rest + first;
     std::uint32_t* __restrict further = all.further + first;
     std::int32_t* __restrict place = all.place + first;
     std::int32_t* __restrict window = all.window + first;
-    std::uint64_t* __restrict push = all.push + first;
-    std::uint64_t* __restrict fall = all.fall + first;
-    alignas(64) std::uint32_t stays[side_by_side];
-    alignas(64) std::uint32_t flies[side_by_side];
-    alignas(64) std::uint32_t share[side_by_side];
-    alignas(64) std::int32_t to_row[side_by_side];
+    std::uint32_t* __restrict push = all.push + first;
+    std::uint32_t* __restrict fall = all.fall + first;
     const std::int32_t lanes = count - first;
     ERG_EACH(k, side_by_side) word[k] = mix64(~row_words[row[k]] + first_line + static_cast<std::uint64_t>(line[k]));
     ERG_EACH(k, side_by_side) {
       const auto low = static_cast<std::uint32_t>(word[k]);
       const auto high = static_cast<std::uint32_t>(word[k] >> 32);
-      const auto snow = static_cast<std::uint32_t>(found[k]);
-      const auto way = static_cast<std::uint32_t>(found[k] >> 32);
-      const std::int32_t run = run_of(way);
-      const std::uint32_t bonded = snow >> 16 != 0 ? strikes_bonded : 0;
+      const std::int32_t run = run_of(way[k]);
+      const std::uint32_t bonded = snow[k] >> 16 != 0 ? strikes_bonded : 0;
       const std::uint32_t on_bare = bonded != 0 ? rest_hard : rest_ground;
-      const std::uint32_t on_snow = (snow & 0xffff) != 0 ? rest_loose : on_bare;
+      const std::uint32_t on_snow = (snow[k] & 0xffff) != 0 ? rest_loose : on_bare;
       const std::uint32_t in_light = on_snow > least_rest ? on_snow : least_rest;
-      const std::uint32_t rest = mean_hop_64(way) == 0 ? certain : in_light;
+      const std::uint32_t rest = mean_hop_64(way[k]) == 0 ? certain : in_light;
       const std::uint32_t stay = (low & 0xffff) < rest ? 1 : 0;
       const std::uint32_t off = (low >> 16) < suspension ? 1 : 0;
       const std::uint32_t fly = (stay | off) ^ 1;
-      const std::int32_t whole = snow_hop_rows(way, high);
+      const std::int32_t whole = snow_hop_rows(way[k], high);
       const std::int32_t flown = whole < run ? whole : run;
       const std::int32_t to = row[k] + flown;
+      const std::uint32_t bit = fly << ((first_row + to) & (snow_window - 1));
+      const std::uint32_t here = to < rows ? bit : 0;
       chance[k] = rest;
-      stays[k] = stay;
-      flies[k] = fly;
-      share[k] = share_of_hop(flown, whole);
-      to_row[k] = to;
+      snow_left[k] = snow[k] + stay * snow_word(1, 1);
+      way_left[k] = way[k] | stay * snow_has_landed;
       window[k] = ((first_row + to) / snow_window & windows) * snow_lines + line[k];
-      place[k] = window[k] * snow_window + (to & (snow_window - 1));
-      further[k] = ((snow & 0xffff) != 0 ? 0 : bonded) | (slabs_of(load[k]) > 1 ? is_crowd : 0);
-      rows_flown += k < lanes ? flown & -static_cast<std::int32_t>(fly) : 0;
-      carried_off += k < lanes ? static_cast<std::int32_t>((stay | fly) ^ 1) : 0;
-    }
-    ERG_EACH(k, side_by_side) {
-      const std::uint64_t fly = flies[k];
-      const std::uint64_t stay = stays[k];
-      const std::uint64_t bit = fly << (to_row[k] & (snow_window - 1));
-      const std::uint64_t here = to_row[k] < rows ? bit : 0;
-      left[k] = (found[k] + stay * snow_word(1, 1)) | stay << 63;
-      push[k] = fly * one_slab + (-fly & share[k]);
+      place[k] = window[k] * snow_window + ((first_row + to) & (snow_window - 1));
+      push[k] = -fly & (short_slab + share_of_hop(flown, whole));
       waiting[k] |= here;
       fall[k] = bit ^ here;
+      further[k] = ((snow[k] & 0xffff) != 0 ? 0 : bonded) | (short_slabs_of(load[k]) > 1 ? is_crowd : 0);
+      rows_flown += k < lanes ? flown & -static_cast<std::int32_t>(fly) : 0;
+      carried_off += k < lanes ? static_cast<std::int32_t>((stay | fly) ^ 1) : 0;
     }
   }
   air.rows_flown += rows_flown;
@@ -238,19 +226,19 @@ void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_wo
 /// The slabs of a load that are not the first.
 void decide_others(const SnowLandings& landings, int first_row, int end, Arrivals& all, int k, SnowAir& air) {
   std::uint64_t word = all.word[k];
-  const auto way = static_cast<std::uint32_t>(all.found[k] >> 32);
-  for (std::uint32_t slabs = slabs_of(all.load[k]); slabs > 1; --slabs) {
+  for (std::uint32_t slabs = slabs_of(air.all_of(all.from[k], all.load[k])); slabs > 1; --slabs) {
     word = mix64(word);
     if (snow_stays(word, all.rest[k])) {
-      all.left[k] = (all.left[k] + snow_word(1, 1)) | std::uint64_t{1} << 63;
+      all.snow_left[k] += snow_word(1, 1);
+      all.way_left[k] |= snow_has_landed;
     } else if (snow_carried_off(word, landings.rests)) {
       ++air.carried_off;
     } else {
-      const SnowHop hop = snow_hop(way, run_of(way), static_cast<std::uint32_t>(word >> 32));
+      const SnowHop hop = snow_hop(all.way[k], run_of(all.way[k]), static_cast<std::uint32_t>(word >> 32));
       const int row = first_row + all.row[k] + hop.rows;
       const int window = (row / snow_window & (air.windows - 1)) * snow_lines + all.line[k];
-      const std::uint64_t bit = std::uint64_t{1} << (row & (snow_window - 1));
-      air.loads[window * snow_window + (row & (snow_window - 1))] += hop.load;
+      const std::uint32_t bit = 1u << (row & (snow_window - 1));
+      air.put(window * snow_window + (row & (snow_window - 1)), short_slab + static_cast<std::uint32_t>(hop.load));
       (row < end ? all.waiting[k] : air.falls[window]) |= bit;
       air.rows_flown += hop.rows;
     }
@@ -267,25 +255,27 @@ float strength_at(const SnowLandings& landings, int row, int line, std::uint32_t
 }
 
 /// The impacts of a load on bonded snow free slabs of it in place.
-void strike(const SnowLandings& landings, int first_row, Arrivals& all, int k) {
+void strike(const SnowLandings& landings, int first_row, const SnowAir& air, Arrivals& all, int k) {
   const SnowLines& lines = landings.lines;
+  const int here = all.cell[k];
+  const std::uint32_t hops = std::uint32_t{lines.powers[here]} << 16;
+  if (hops == 0) return;
   const std::int32_t* const ground = landings.ground;
   const int row = first_row + all.row[k];
   const int line = all.line[k];
-  const int here = all.cell[k];
-  const auto snow = static_cast<std::uint32_t>(all.found[k]);
   std::int32_t upwind = landings.upwind[line];
   if (row > 0) {
     const int before = lines.places[row - 1] + line * lines.next_line;
     upwind = mobile_of(lines.cells[before].snow) + (ground != nullptr ? ground[before] : 0);
   }
-  const std::int32_t surface = mobile_of(snow) + (ground != nullptr ? ground[here] : 0);
+  const std::int32_t most = mobile_of(all.snow[k]);
+  const std::int32_t surface = most + (ground != nullptr ? ground[here] : 0);
   const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface - upwind);
-  const float power = strike_power(*landings.law, std::uint32_t{lines.powers[here]} << 16, all.load[k], rise);
-  const std::int32_t freed = freed_slabs(*landings.law, all.load[k], all.word[k], power,
-                                         [&] { return strength_at(landings, row, line, snow); });
-  const std::int32_t most = mobile_of(snow);
-  all.left[k] += static_cast<std::uint32_t>(freed < most ? freed : most);
+  const std::uint64_t load = air.all_of(all.from[k], all.load[k]);
+  const float power = strike_power(*landings.law, hops, load, rise);
+  const std::int32_t freed = freed_slabs(*landings.law, load, all.word[k], power,
+                                         [&] { return strength_at(landings, row, line, all.snow[k]); });
+  all.snow_left[k] += static_cast<std::uint32_t>(freed < most ? freed : most);
 }
 
 /// Loads that strike bonded snow, and those of more than one slab.
@@ -298,47 +288,52 @@ void decide_further(const SnowLandings& landings, int first_row, int end, Arriva
   }
   for (int n = 0; n < count; ++n) {
     const int k = some[n];
-    if ((all.further[k] & strikes_bonded) != 0) strike(landings, first_row, all, k);
+    if ((all.further[k] & strikes_bonded) != 0) strike(landings, first_row, air, all, k);
     if ((all.further[k] & is_crowd) != 0) decide_others(landings, first_row, end, all, k, air);
   }
 }
 
+/// Lanes too many look at the first row of the first line.
+[[gnu::always_inline]] inline void fill_up(Arrivals& all) {
+  for (int k = 0; k < side_by_side; ++k) all.line[all.count + k] = 0, all.waiting[all.count + k] = 1;
+}
+
 /// Writes what was decided; leaves those lines in which something else comes down.
-void settle(const SnowLines& lines, const SnowAir& air, Arrivals& all) {
-  auto* const cells = reinterpret_cast<std::uint64_t*>(lines.cells);
-  std::uint64_t* const loads = air.loads;
-  std::uint64_t* const falls = air.falls;
+void settle(const SnowLines& lines, const SnowAir& given_air, Arrivals& all) {
+  const SnowAir air = given_air;
+  StripCell* const cells = lines.cells;
   int count = 0;
   for (int k = 0; k < all.count; ++k) {
-    cells[all.cell[k]] = all.left[k];
-    loads[all.from[k]] = 0;
-    loads[all.place[k]] += all.push[k];
-    falls[all.window[k]] |= all.fall[k];
-    const std::uint64_t waiting = all.waiting[k];
+    cells[all.cell[k]] = {all.snow_left[k], all.way_left[k]};
+    const int from = all.from[k];
+    if (all.load[k] >= most_short_slabs * short_slab) air.excess[from] = 0;
+    air.loads[from] = 0;
+    air.put(all.place[k], all.push[k]);
+    air.falls[all.window[k]] |= all.fall[k];
+    const std::uint32_t waiting = all.waiting[k];
     all.line[count] = all.line[k];
     all.waiting[count] = waiting;
     count += waiting != 0 ? 1 : 0;
   }
   all.count = count;
-  // Lanes too many look at the first row of the first line.
-  for (int k = 0; k < side_by_side; ++k) all.line[count + k] = 0, all.waiting[count + k] = 1;
+  fill_up(all);
 }
 
 void land(const SnowLandings& landings, const std::uint64_t* row_words, int first_row, int end, std::uint64_t among,
           SnowAir& air) {
   const SnowLines lines = landings.lines;
-  std::uint64_t* const falls = air.falls + (first_row / snow_window & (air.windows - 1)) * snow_lines;
+  std::uint32_t* const falls = air.falls + (first_row / snow_window & (air.windows - 1)) * snow_lines;
   const int rows = end - first_row;
-  const std::uint64_t within = rows < snow_window ? (std::uint64_t{1} << rows) - 1 : ~std::uint64_t{0};
+  const std::uint32_t within = rows < snow_window ? (1u << rows) - 1 : ~0u;
   Arrivals all;
   for (int line = 0; line < lines.lines; ++line) {
-    const std::uint64_t waiting = falls[line] & within & -(among >> line & 1);
+    const std::uint32_t waiting = falls[line] & within & -static_cast<std::uint32_t>(among >> line & 1);
     falls[line] ^= waiting;
     all.line[all.count] = line;
     all.waiting[all.count] = waiting;
     all.count += waiting != 0 ? 1 : 0;
   }
-  for (int k = 0; k < side_by_side; ++k) all.line[all.count + k] = 0, all.waiting[all.count + k] = 1;
+  fill_up(all);
   while (all.count > 0) {
     take_first(lines, first_row, air, all);
     decide(landings, row_words, first_row, end, all, air);

@@ -18,12 +18,12 @@ void follow(const std::vector<int>& drifted, int rows, int side, SnowLayout& lay
   layout.places = layout.rows.back() + snow_lines * side;
 }
 
-/// The same in windows, for lines that do not drift.
-void follow_in_windows(int rows, SnowLayout& layout) {
-  constexpr int side = snow_window + 8;  // or lines would compete for one place in a cache
+/// The same for lines that do not drift, in stretches.
+void follow_in_stretches(int rows, SnowLayout& layout) {
+  constexpr int side = snow_stretch + 8;  // or lines would compete for one place in a cache
   layout.rows.resize(static_cast<std::size_t>(rows));
   for (int row = 0; row < rows; ++row) {
-    layout.rows[static_cast<std::size_t>(row)] = row / snow_window * side * snow_lines + row % snow_window;
+    layout.rows[static_cast<std::size_t>(row)] = row / snow_stretch * side * snow_lines + row % snow_stretch;
   }
   layout.next_line = side;
   layout.places = layout.rows.back() + snow_lines * side;
@@ -41,8 +41,8 @@ void cross(int rows, SnowLayout& layout) {
 
 void SnowPlaces::lay_out(const WindFrame& frame, const SnowDraws& draws) {
   const int length = frame.length;
-  const int rows = (length + snow_window - 1) / snow_window * snow_window;  // kernels look at whole windows
-  const int rows_ahead = rows + draws.reach + snow_window;
+  const int rows = (length + snow_stretch - 1) / snow_stretch * snow_stretch;  // kernels look at whole stretches
+  const int rows_ahead = rows + draws.reach + snow_stretch;
   along = frame.step_v == 1 || frame.step_v == -1;
   drifted.assign(static_cast<std::size_t>(rows_ahead), 0);
   for (int row = 1; row < rows_ahead; ++row) {
@@ -57,7 +57,7 @@ void SnowPlaces::lay_out(const WindFrame& frame, const SnowDraws& draws) {
     cross(rows, cells);
     cross(rows_ahead, heights);
   } else if (drifted.back() == 0) {
-    follow_in_windows(rows, cells);
+    follow_in_stretches(rows, cells);
     follow(drifted, rows_ahead, (rows_ahead + 127) / 128 * 128 + 36, heights);
   } else {
     // A row of the terrain meets the lines of a strip one after another: in no more rows than these.

@@ -23,8 +23,8 @@ struct SnowLayout {
 
 /// Cells that are neighbours in the terrain lie side by side in a strip, so that whole vectors of them are taken and
 /// given back. Where the wind crosses the terrain's rows these are the lines of one row of the frame. Where it follows
-/// them, they are rows of one line; windows lie one after another, so that a window's cells fill few pages of memory.
-/// Oblique lines change over from one row of the terrain to the next, and each of these has a place of its own.
+/// them, they are rows of one line; stretches of all lines lie one after another, so that they fill few pages of
+/// memory. Oblique lines change over from one row of the terrain to the next, and each of these has a place of its own.
 struct SnowPlaces {
   bool along = true;         ///< neighbours are rows, not lines
   SnowLayout cells;          ///< rows of the grid

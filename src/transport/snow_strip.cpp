@@ -18,15 +18,17 @@ void SnowStrip::begin(const SnowFlightPlan& plan, int first, int lines) {
   rows_ = 0;
   rows_ahead_ = 0;
   const SnowPlaces& places = *plan.places;
-  const auto cells = static_cast<std::size_t>(places.cells.places + snow_window);
+  const auto cells = static_cast<std::size_t>(places.cells.places + snow_stretch);
   cells_.resize(cells);
   powers_.resize(cells);
   chances_.resize(cells);
   ground_.resize(plan.relief ? cells : 0);
-  over_.resize(static_cast<std::size_t>(places.heights.places + places.heights.next_line + snow_window));
+  over_.resize(static_cast<std::size_t>(places.heights.places + places.heights.next_line + snow_stretch));
   const auto windows = static_cast<std::size_t>(plan.windows);
   // Nothing has been left in the air by another strip.
   loads_.resize(windows * snow_lines * snow_window);
+  const bool crowded = plan.frame.length + plan.inflow + 1 > most_short_slabs;
+  excess_.resize(crowded ? loads_.size() : 0);
   falls_.resize(windows * snow_lines);
 }
 
@@ -38,7 +40,8 @@ void SnowStrip::load() {
 void SnowStrip::draw_polls() {
   const int length = plan_.frame.length;
   const auto windows = static_cast<std::size_t>((length + snow_window - 1) / snow_window);
-  polls_.resize(windows * polls_of_window + snow_lines);
+  const auto polls = static_cast<std::size_t>(plan_.sweeps * most_polls(plan_.sweeps));  // of a window
+  polls_.resize(windows * polls + snow_lines);
   poll_counts_.resize(windows * static_cast<std::size_t>(plan_.sweeps));
   SnowPollDraw draw;
   draw.sweeps = plan_.sweeps;
@@ -50,7 +53,7 @@ void SnowStrip::draw_polls() {
     draw.first_row = row;
     draw.end = std::min(row + snow_window, length);
     plan_.kernels->draw_polls(draw, lines_of());
-    draw.polls += polls_of_window;
+    draw.polls += polls;
     draw.counts += plan_.sweeps;
   }
 }
@@ -82,7 +85,7 @@ void SnowStrip::sweep(const SnowSweep& sweep) {
 }
 
 bool SnowStrip::anything_aloft() const {
-  return std::any_of(falls_.begin(), falls_.end(), [](std::uint64_t falls) { return falls != 0; });
+  return std::any_of(falls_.begin(), falls_.end(), [](std::uint32_t falls) { return falls != 0; });
 }
 
 SnowLines SnowStrip::lines_of() {
@@ -110,10 +113,11 @@ SnowLandings SnowStrip::landings_of(const SnowSweep& sweep) {
 /// Lifts slabs from a window. All may lift before any comes down in it: neither changes what the other reads.
 void SnowStrip::lift(int begin, int number, const std::uint64_t* row_words, std::uint64_t crossing, SnowAir& air) {
   const auto window = static_cast<std::size_t>(begin / snow_window);
-  const int most = polls_of_window / plan_.sweeps;
-  const int count = poll_counts_[window * static_cast<std::size_t>(plan_.sweeps) + static_cast<std::size_t>(number)];
+  const auto most = static_cast<std::size_t>(most_polls(plan_.sweeps));
+  const std::size_t list = window * static_cast<std::size_t>(plan_.sweeps) + static_cast<std::size_t>(number);
+  const int count = poll_counts_[list];
   SnowPolls polls;
-  polls.polls = polls_.data() + window * polls_of_window + static_cast<std::size_t>(number * most);
+  polls.polls = polls_.data() + list * most;
   polls.first_row = begin;
   polls.row_words = row_words;
   SnowLifts lifts;
@@ -146,23 +150,32 @@ void SnowStrip::leave_grid() {
 
 void SnowStrip::receive(int line, int row, std::uint64_t load) {
   const int window = (row / snow_window & (plan_.windows - 1)) * snow_lines + line;
-  loads_[static_cast<std::size_t>(window * snow_window + row % snow_window)] += load;
-  falls_[static_cast<std::size_t>(window)] |= bit(row % snow_window);
+  const int place = window * snow_window + row % snow_window;
+  const SnowAir air = air_of();
+  const std::uint64_t all = air.all_of(place, air.loads[place]) + load;
+  if (slabs_of(all) < most_short_slabs) {
+    air.loads[place] = slabs_of(all) * short_slab + static_cast<std::uint32_t>(all);
+  } else {
+    air.loads[place] = most_short_slabs * short_slab;
+    air.excess[place] = all - long_load(air.loads[place]);
+  }
+  air.falls[window] |= 1u << row % snow_window;
 }
 
 /// Takes all that is in the air over a line, where the first row that may have any is `first`: calls
 /// visit(row, load).
 template <typename Visit>
 void SnowStrip::take_all(int line, int first, const Visit& visit) {
+  const SnowAir air = air_of();
   const int window = first / snow_window;
   for (int number = window; number < window + plan_.windows; ++number) {
-    const int place = (number & (plan_.windows - 1)) * snow_lines + line;
-    std::uint64_t& falls = falls_[static_cast<std::size_t>(place)];
-    for (; falls != 0; falls &= falls - 1) {
-      const int row = __builtin_ctzll(falls);
-      std::uint64_t& load = loads_[static_cast<std::size_t>(place * snow_window + row)];
-      visit(number * snow_window + row, load);
-      load = 0;
+    const int there = (number & (plan_.windows - 1)) * snow_lines + line;
+    for (std::uint32_t& falls = air.falls[there]; falls != 0; falls &= falls - 1) {
+      const int row = __builtin_ctz(falls);
+      const int place = there * snow_window + row;
+      visit(number * snow_window + row, air.all_of(place, air.loads[place]));
+      if (air.excess != nullptr) air.excess[place] = 0;
+      air.loads[place] = 0;
     }
   }
 }
@@ -188,7 +201,7 @@ std::uint64_t SnowStrip::find_crossing(int begin, int end) const {
 void SnowStrip::hold_back(std::uint64_t crossing, SnowLifts& lifts) {
   for (int k = 0; k < lifts.count; ++k) {
     if (lifts.load[k] == 0 || (crossing & bit(lifts.line[k])) == 0) continue;
-    late_.push_back({lifts.line[k], lifts.row[k], lifts.fall[k], lifts.load[k]});
+    late_.push_back({lifts.line[k], lifts.row[k], lifts.fall[k], long_load(lifts.load[k])});
     lifts.rows_flown -= lifts.fall[k] - lifts.row[k];
     lifts.load[k] = 0;
     lifts.bit[k] = 0;

@@ -1,6 +1,6 @@
-// The parallel flights of sintering snow, one strip of lines at a time. A line follows the wind through the grid; a strip
-// holds the snow and the weather of its lines. Slabs in the air wait in a ring of rows for the row where they come down.
-// All that a flight reads is its own line's, so strips need not wait for each other.
+// The parallel flights of sintering snow, one strip of lines at a time. A line follows the wind through the grid; a
+// strip holds the snow and the weather of its lines. Slabs in the air wait in a ring of rows for the row where they
+// come down. All that a flight reads is its own line's, so strips need not wait for each other.
 #pragma once
 
 #include <cstdint>
@@ -37,9 +37,9 @@ struct SnowFlightPlan {
   // Filled in by SnowFlights.
   const SnowSweep* draws = nullptr;  ///< of each sub-sweep
   int reach = 1;
-  int windows = 2;                         ///< of rows in which slabs may be in the air, a power of two
-  const int* offsets = nullptr;            ///< SnowDraws
-  const std::int32_t* upwind = nullptr;    ///< surface of each line in the row before the first, before the flights
+  int windows = 2;                       ///< of rows in which slabs may be in the air, a power of two
+  const int* offsets = nullptr;          ///< SnowDraws
+  const std::int32_t* upwind = nullptr;  ///< surface of each line in the row before the first, before the flights
   const SnowPlaces* places = nullptr;
   const SnowKernels* kernels = nullptr;
 };
@@ -97,7 +97,7 @@ class SnowStrip {
   std::size_t at(int row, int line) const { return plan_.places->cells.at(row, line); }
   SnowLines lines_of();
   SnowLandings landings_of(const SnowSweep& sweep);
-  SnowAir air_of() { return {loads_.data(), falls_.data(), plan_.windows}; }
+  SnowAir air_of() { return {loads_.data(), excess_.empty() ? nullptr : excess_.data(), falls_.data(), plan_.windows}; }
   bool anything_aloft() const;
   void lift(int begin, int number, const std::uint64_t* row_words, std::uint64_t crossing, SnowAir& air);
   int entering_line(int row) const;
@@ -115,17 +115,18 @@ class SnowStrip {
   int first_ = 0;
   int lines_ = 0;
   Counts counts_;
-  int rows_ = 0;          ///< that have been taken from the terrain
-  int rows_ahead_ = 0;    ///< whose heights have been
-  AlignedVector<StripCell> cells_;      ///< in the places of SnowPlaces::cells, as the next three
-  AlignedVector<std::uint16_t> powers_; ///< upper half of SnowWeather::hops
+  int rows_ = 0;                         ///< that have been taken from the terrain
+  int rows_ahead_ = 0;                   ///< whose heights have been
+  AlignedVector<StripCell> cells_;       ///< in the places of SnowPlaces::cells, as the next three
+  AlignedVector<std::uint16_t> powers_;  ///< upper half of SnowWeather::hops
   AlignedVector<std::uint32_t> chances_;
   AlignedVector<std::int32_t> ground_;  ///< bedrock; empty where it is level
   AlignedVector<std::int16_t> over_;    ///< SnowWeather, in those of SnowPlaces::heights
   AlignedVector<std::uint16_t> polls_;  ///< SnowPollDraw of each window
   std::vector<int> poll_counts_;
-  AlignedVector<std::uint64_t> loads_;  ///< SnowAir
-  AlignedVector<std::uint64_t> falls_;
+  AlignedVector<std::uint32_t> loads_;  ///< SnowAir
+  AlignedVector<std::uint64_t> excess_;
+  AlignedVector<std::uint32_t> falls_;
   std::vector<LateLift> late_;  ///< of the window under way, over open edges
   std::vector<Carried> carried_;
 };

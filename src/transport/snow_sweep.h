@@ -94,15 +94,16 @@ struct SnowRestRow {
 
 /// Most lines of a strip.
 inline constexpr int snow_lines = 64;
-/// Rows that are gone through together: one bit each in a word.
-inline constexpr int snow_window = 64;
+/// Rows that are gone through together: one bit each in a word. What a window's flights touch fits into the innermost
+/// cache.
+inline constexpr int snow_window = 32;
 
 /// A cell of a strip: all that a slab needs to know that comes down there, in as few bytes as can be.
 struct alignas(8) StripCell {
   std::uint32_t snow = 0;  ///< snow_word
-  std::uint32_t way = 0;   ///< mean hop in 1/64 rows (SnowWeather); upper half: rows that a slab can fly from here before
-                           ///< higher ground ends its hop, and as the highest bit whether one has come to rest here in
-                           ///< this step
+  std::uint32_t way = 0;   ///< mean hop in 1/64 rows (SnowWeather); upper half: rows that a slab can fly from here
+                          ///< before higher ground ends its hop, and as the highest bit whether one has come to rest
+                          ///< here in this step
 };
 ERG_CELL_RULE int run_of(std::uint32_t way) { return static_cast<int>(way >> 16 & 0x7fff); }
 inline constexpr std::uint32_t snow_has_landed = std::uint32_t{1} << 31;
@@ -122,8 +123,8 @@ struct SnowLines {
 inline constexpr int polled_row_bit = 6;
 inline constexpr int lifts_loose_bit = 12;
 inline constexpr int lifts_hard_bit = 13;
-/// As many of them as a window may have, in all sub-sweeps together. The lists are as long for each.
-inline constexpr int polls_of_window = snow_lines * snow_window;
+/// As many of them as a window may have in one of so many sub-sweeps.
+inline constexpr int most_polls(int sweeps) { return snow_lines * (sweeps < snow_window ? snow_window / sweeps : 1); }
 
 struct SnowPollDraw {
   int first_row = 0;
@@ -131,7 +132,7 @@ struct SnowPollDraw {
   int sweeps = 8;
   const SnowSweep* draws = nullptr;        ///< of each sub-sweep
   const std::uint32_t* chances = nullptr;  ///< SnowWeather of each cell of the strip
-  std::uint16_t* polls = nullptr;          ///< to be written: the lists of the sub-sweeps one after another
+  std::uint16_t* polls = nullptr;          ///< to be written: a list of most_polls for each sub-sweep
   int* counts = nullptr;                   ///< to be written: how many polls each has
 };
 
@@ -143,14 +144,38 @@ struct SnowPolls {
   const std::uint64_t* row_words = nullptr;  ///< flight_row_word of each row
 };
 
-/// Slabs in the air, in the rows where they will come down. Rows are a ring of whole windows.
+/// Slabs that come down in a cell of a strip together, in half the bytes of a load (snow_flight_cell.h): how many, and
+/// in the lower 20 bits the shares of hops that they flew.
+inline constexpr std::uint32_t short_slab = std::uint32_t{1} << 20;
+inline constexpr std::uint32_t most_short_slabs = 4095;
+ERG_CELL_RULE std::uint32_t short_slabs_of(std::uint32_t load) { return load / short_slab; }
+ERG_CELL_RULE std::uint64_t long_load(std::uint32_t load) {
+  return std::uint64_t{load / short_slab} << 32 | load % short_slab;
+}
+
+/// Slabs in the air, in the rows where they will come down. Rows are a ring of whole windows. Each line may have as
+/// many slabs in the air as it has rows, and those that enter it: on long lines they may be more than a short load
+/// counts.
 struct SnowAir {
-  std::uint64_t* loads = nullptr;  ///< for each window, line and row: slabs, and in the lower half the shares of hops
-                                   ///< that they flew
-  std::uint64_t* falls = nullptr;  ///< for each window and line, one bit for each row that has a load
-  int windows = 1;                 ///< a power of two
+  std::uint32_t* loads = nullptr;   ///< short, for each window, line and row
+  std::uint64_t* excess = nullptr;  ///< what came to loads that were full; null where none can be
+  std::uint32_t* falls = nullptr;   ///< for each window and line, one bit for each row that has a load
+  int windows = 1;                  ///< a power of two
   std::int64_t rows_flown = 0;
   std::int64_t carried_off = 0;
+
+  /// Adds to a load; a short one of 0 slabs or 1.
+  ERG_CELL_RULE void put(int place, std::uint32_t slab) const {
+    if (loads[place] < most_short_slabs * short_slab) {
+      loads[place] += slab;
+    } else {
+      excess[place] += long_load(slab);
+    }
+  }
+  /// What a short load at a place and its excess are together.
+  ERG_CELL_RULE std::uint64_t all_of(int place, std::uint32_t load) const {
+    return long_load(load) + (load < most_short_slabs * short_slab ? 0 : excess[place]);
+  }
 };
 /// Slabs that lift, and where they come down. Those of polls from which none does have no load.
 struct SnowLifts {
@@ -163,8 +188,8 @@ struct SnowLifts {
   // What they add in SnowAir.
   alignas(64) std::int32_t place[snow_lines];   ///< of the load
   alignas(64) std::int32_t window[snow_lines];  ///< of the bit, with the line
-  alignas(64) std::uint64_t load[snow_lines];
-  alignas(64) std::uint64_t bit[snow_lines];
+  alignas(64) std::uint32_t load[snow_lines];
+  alignas(64) std::uint32_t bit[snow_lines];
 };
 
 /// What becomes of slabs that come down, in a sub-sweep.
@@ -189,8 +214,8 @@ inline constexpr std::int32_t no_surface = -0x7fffffff - 1;
 /// What stands ahead of cells that lie side by side, row by row down the wind: heights over the smoothed surface.
 struct SnowAhead {
   const std::int16_t* heights = nullptr;  ///< of the cells
-  int next_row = 1;  ///< from a cell to that of its line in the next row, if lines do not drift
-  int reach = 1;     ///< rows to look ahead
+  int next_row = 1;                       ///< from a cell to that of its line in the next row, if lines do not drift
+  int reach = 1;                          ///< rows to look ahead
   // Where the cells lie along oblique lines. From row to row each line goes on in the same place or in that beside it.
   const std::int16_t* drifted = nullptr;        ///< columns that lines have moved, from the first cell's row on; null:
                                                 ///< they do not
@@ -198,7 +223,9 @@ struct SnowAhead {
   int next_line = 0;
 };
 
-/// Cells that lie side by side in the terrain and in a strip, `snow_window` at most: a strip takes their snow from the
+/// Most cells of a stretch.
+inline constexpr int snow_stretch = 64;
+/// Cells that lie side by side in the terrain and in a strip, `snow_stretch` at most: a strip takes their snow from the
 /// terrain and gives it back.
 struct SnowStretch {
   const SnowLaw* law = nullptr;
