@@ -102,6 +102,21 @@ void SnowStrip::take_ground(int begin, int end) {
   });
 }
 
+/// Pieces of the terrain's rows that oblique lines cross are too short for the processor to see what comes next: asks for
+/// that of the next row but one.
+void SnowStrip::ask_ahead(int row, int line, int count) const {
+  const std::size_t cell = plan_.frame.cell(column(row, line), row) + static_cast<std::size_t>(2 * plan_.frame.step_u);
+  const std::ptrdiff_t step = plan_.frame.step_v;
+  constexpr int at_once = static_cast<int>(cache_line / sizeof(std::int32_t));
+  for (int i = 0; i < count + at_once; i += at_once) {
+    const std::size_t there = cell + static_cast<std::size_t>(i * step);
+    __builtin_prefetch(plan_.mobile + there);
+    __builtin_prefetch(plan_.loose + there);
+    __builtin_prefetch(plan_.chances + there);
+    __builtin_prefetch(plan_.hops + there);
+  }
+}
+
 /// Takes the rows from the terrain that are not yet taken, up to before row `end`.
 void SnowStrip::take_rows(int end) {
   take_heights(end + plan_.reach);

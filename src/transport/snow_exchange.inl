@@ -1,39 +1,46 @@
 // Kernels by which a strip takes the snow of its lines from the terrain and gives it back, part of snow_kernels.inl.
 // What a step's flights can know beforehand is found on the way: how far slabs fly, and which cells let one go.
 
+/// Cells in which higher ground stands so many rows ahead. A function of its own, or the compiler would join rows
+/// instead of making vectors.
+[[gnu::noinline]] void look_ahead(const std::int16_t* __restrict there, const std::int16_t* __restrict height,
+                                  std::int16_t rows, std::int16_t* __restrict run) {
+  ERG_EACH(i, snow_stretch) run[i] = there[i] > height[i] ? rows : run[i];
+}
+/// The same where lines drift: each has gone on by `least` places or one more, where `beside` stands.
+[[gnu::noinline]] void look_aside(const std::int16_t* __restrict there, const std::int16_t* __restrict beside,
+                                  const std::int16_t* __restrict moved, const std::int16_t* __restrict height,
+                                  std::int16_t rows, std::int16_t* __restrict run) {
+  ERG_EACH(i, snow_stretch) {
+    const auto met = static_cast<std::int16_t>(there[i] ^ ((there[i] ^ beside[i]) & moved[i]));
+    run[i] = met > height[i] ? rows : run[i];
+  }
+}
+/// All ones where a line moves more than `least` places, else 0.
+[[gnu::noinline]] void find_moved(const std::int16_t* __restrict before, const std::int16_t* __restrict after,
+                                  std::int16_t least, std::int16_t* __restrict moved) {
+  ERG_EACH(i, snow_stretch) moved[i] = static_cast<std::int16_t>(least + before[i] - after[i]);
+}
+
 /// Rows until higher ground, of cells side by side; `unhindered_run` where there is none within reach.
-[[gnu::always_inline]] inline void find_runs(const SnowAhead& ahead, int clearance_16, std::int16_t* __restrict run) {
+void find_runs(const SnowAhead& ahead, int clearance_16, std::int16_t* __restrict run) {
   alignas(64) std::int16_t height[snow_stretch];
+  alignas(64) std::int16_t moved[snow_stretch];
   const std::int16_t* __restrict from = ahead.heights;
   ERG_EACH(i, snow_stretch) {
     height[i] = static_cast<std::int16_t>(flying_height(from[i], clearance_16));
     run[i] = unhindered_run;
   }
-  if (ahead.drifted == nullptr) {
-    for (int k = ahead.reach; k > 0; --k) {
-      const std::int16_t* __restrict there = from + k * ahead.next_row;
-      const auto rows = static_cast<std::int16_t>(k);
-      ERG_EACH(i, snow_stretch) run[i] = there[i] > height[i] ? rows : run[i];
-    }
-    return;
-  }
-  alignas(64) std::int16_t before[snow_stretch];
-  const std::int16_t* __restrict drifted = ahead.drifted;
-  ERG_EACH(i, snow_stretch) before[i] = drifted[i];
   for (int k = ahead.reach; k > 0; --k) {
-    const std::int16_t least = ahead.least_drifted[k];
-    const std::int16_t* __restrict there = from + k * ahead.next_row + least * ahead.next_line;
-    const std::int16_t* __restrict beside = there + ahead.next_line;
-    const std::int16_t* __restrict after = drifted + k;
-    const auto rows = static_cast<std::int16_t>(k);
-    ERG_EACH(i, snow_stretch) {
-      // Both are read, for a choice between two reads is no vector's.
-      const std::int16_t straight = there[i];
-      const std::int16_t aside = beside[i];
-      const auto moved = static_cast<std::int16_t>(after[i] - before[i]);
-      const std::int16_t met = moved > least ? aside : straight;
-      run[i] = met > height[i] ? rows : run[i];
+    const std::int16_t* const there = from + k * ahead.next_row;
+    if (ahead.drifted == nullptr) {
+      look_ahead(there, height, static_cast<std::int16_t>(k), run);
+      continue;
     }
+    const std::int16_t least = ahead.least_drifted[k];
+    const std::int16_t* const drifted = there + least * ahead.next_line;
+    find_moved(ahead.drifted, ahead.drifted + k, least, moved);
+    look_aside(drifted, drifted + ahead.next_line, moved, height, static_cast<std::int16_t>(k), run);
   }
 }
 

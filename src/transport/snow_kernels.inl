@@ -90,6 +90,27 @@ std::uint64_t find_steep(const std::int32_t* ground_a, const std::int32_t* snow_
   return bits;
 }
 
+/// The same for blocks of 64 of any number of surfaces: whether one of each is steep. Few are; most need no closer look.
+void find_steep_blocks(const std::int32_t* __restrict ground_a, const std::int32_t* __restrict snow_a,
+                       const std::int32_t* __restrict ground_b, const std::int32_t* __restrict snow_b, int count,
+                       int step, std::uint8_t* __restrict blocks) {
+  const auto most = 2 * static_cast<std::uint32_t>(step);
+  for (int first = 0; first < count; first += 64) {
+    const int end = count - first < 64 ? count : first + 64;
+    std::uint32_t steep = 0;
+    if (ground_a == nullptr) {
+      for (int i = first; i < end; ++i) {
+        steep |= static_cast<std::uint32_t>(snow_a[i] - snow_b[i] + step) > most ? 1 : 0;
+      }
+    } else {
+      for (int i = first; i < end; ++i) {
+        steep |= static_cast<std::uint32_t>(ground_a[i] + snow_a[i] - ground_b[i] - snow_b[i] + step) > most ? 1 : 0;
+      }
+    }
+    blocks[first / 64] = static_cast<std::uint8_t>(steep);
+  }
+}
+
 // --- strength ---
 
 /// Draws the lattice for the rows of the terrain between two of its own, and some layers.
@@ -222,6 +243,7 @@ const SnowKernels snow_kernels{weather,
                                take_snow,
                                give_snow,
                                find_steep,
+                               find_steep_blocks,
                                strength,
                                survey,
                                raise,

@@ -68,6 +68,7 @@ class SnowMachine {
   void slide_edge(int x, int y, int other_x, int other_y);
   void mark_steep(int x, int y);
   std::uint64_t steep_edges(std::size_t a, std::size_t b, int count) const;
+  void find_steep_blocks(std::size_t a, std::size_t b, int count, std::uint8_t* flags) const;
   void let_snow_fall();
   void rest();
 

@@ -264,6 +264,9 @@ struct SnowKernels {
   /// may be null where it is level.
   std::uint64_t (*find_steep)(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
                               const std::int32_t* snow_b, int count, int step);
+  /// The same of any number: for each block of 64 whether there is one, 0 or 1.
+  void (*find_steep_blocks)(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
+                            const std::int32_t* snow_b, int count, int step, std::uint8_t* blocks);
   void (*strength)(const SnowLaw& law, const SnowStrengthRow& row, StrengthLattice& lattice);
   void (*survey)(const std::int32_t* bedrock, const std::int32_t* mobile, int count, SnowHeights& heights);
   /// height = surface over `low`
