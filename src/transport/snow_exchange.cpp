@@ -102,8 +102,8 @@ void SnowStrip::take_ground(int begin, int end) {
   });
 }
 
-/// Pieces of the terrain's rows that oblique lines cross are too short for the processor to see what comes next: asks for
-/// that of the next row but one.
+/// Pieces of the terrain's rows that oblique lines cross are too short for the processor to see what comes next: asks
+/// for that of the next row but one.
 void SnowStrip::ask_ahead(int row, int line, int count) const {
   const std::size_t cell = plan_.frame.cell(column(row, line), row) + static_cast<std::size_t>(2 * plan_.frame.step_u);
   const std::ptrdiff_t step = plan_.frame.step_v;

@@ -99,7 +99,7 @@ void give_snow(const SnowStretch& stretch) {
 /// in other rows than the window's and those that cannot lift anything with neither bit set.
 [[gnu::always_inline]] inline void poll_block(const SnowPollDraw& draw, const SnowLines& lines, const SnowSweep& sweep,
                                               int block, const std::uint32_t* __restrict words,
-                                              std::uint16_t* __restrict polls) {
+                                              std::uint32_t* __restrict polls) {
   const std::uint32_t* __restrict polled_row = sweep.polled_row;
   const std::uint32_t* __restrict chances = draw.chances;
   const int* __restrict places = lines.places + draw.first_row;
@@ -118,13 +118,34 @@ void give_snow(const SnowStretch& stretch) {
     const std::uint32_t lifts =
         (drawn < (here & 0xffff) ? 1u << lifts_loose_bit : 0u) | (drawn < here >> 16 ? 1u << lifts_hard_bit : 0u);
     const auto place = static_cast<std::uint32_t>(there << polled_row_bit | i);
-    polls[i] = static_cast<std::uint16_t>(place | (lifts & -static_cast<std::uint32_t>(polled)));
+    polls[i] = place | (lifts & -static_cast<std::uint32_t>(polled));
   }
+}
+
+/// Lists those of a block that might lift something; returns how many. Writes up to 16 places beyond them.
+[[gnu::always_inline]] inline int list_polls(const std::uint32_t* polls, std::uint16_t* list) {
+  int count = 0;
+#if defined(__AVX512BW__)
+  const __m512i either = _mm512_set1_epi32(1 << lifts_loose_bit | 1 << lifts_hard_bit);
+  for (int i = 0; i < snow_lines; i += 16) {
+    const __m512i some = _mm512_loadu_si512(polls + i);
+    const __mmask16 lift = _mm512_test_epi32_mask(some, either);
+    const __m512i listed = _mm512_maskz_compress_epi32(lift, some);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(list + count), _mm512_maskz_cvtepi32_epi16(0xffff, listed));
+    count += __builtin_popcount(lift);
+  }
+#else
+  for (int i = 0; i < snow_lines; ++i) {
+    list[count] = static_cast<std::uint16_t>(polls[i]);
+    count += polls[i] >> lifts_loose_bit != 0 ? 1 : 0;
+  }
+#endif
+  return count;
 }
 
 void draw_polls(const SnowPollDraw& draw, const SnowLines& lines) {
   alignas(64) std::uint32_t words[snow_lines];
-  alignas(64) std::uint16_t polls[snow_lines];
+  alignas(64) std::uint32_t polls[snow_lines];
   const int most = most_polls(draw.sweeps);
   for (int number = 0; number < draw.sweeps; ++number) draw.counts[number] = 0;
   for (int block = draw.first_row & -draw.sweeps; block < draw.end; block += draw.sweeps) {
@@ -133,13 +154,7 @@ void draw_polls(const SnowPollDraw& draw, const SnowLines& lines) {
     ERG_EACH(i, snow_lines) words[i] = snow_poll_word(key, first_line + static_cast<std::uint32_t>(i));
     for (int number = 0; number < draw.sweeps; ++number) {
       poll_block(draw, lines, draw.draws[number], block, words, polls);
-      std::uint16_t* const list = draw.polls + number * most;
-      int count = draw.counts[number];
-      for (int i = 0; i < snow_lines; ++i) {
-        list[count] = polls[i];
-        count += polls[i] >> lifts_loose_bit != 0 ? 1 : 0;
-      }
-      draw.counts[number] = count;
+      draw.counts[number] += list_polls(polls, draw.polls + number * most + draw.counts[number]);
     }
   }
 }

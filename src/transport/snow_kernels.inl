@@ -3,6 +3,10 @@
 
 #include <cstdint>
 
+#if defined(__AVX512BW__)
+#include <immintrin.h>
+#endif
+
 #include "transport/fixed_point.h"
 #include "transport/snow_sweep.h"
 
@@ -12,6 +16,22 @@ namespace {
 
 // A loop over neighbouring cells. The count is copied first, so that the compiler need not read it again.
 #define ERG_EACH(i, count) _Pragma("GCC ivdep") for (int i = 0, end_of_##i = (count); i < end_of_##i; ++i)
+
+/// 64 bytes, each 0 or 1, as bits.
+[[gnu::always_inline]] inline std::uint64_t bits_of(const std::uint8_t* bytes) {
+#if defined(__AVX512BW__)
+  const __m512i all = _mm512_loadu_si512(bytes);
+  return _mm512_test_epi8_mask(all, all);
+#else
+  std::uint64_t bits = 0;
+  for (int k = 0; k < 8; ++k) {
+    std::uint64_t eight = 0;
+    __builtin_memcpy(&eight, bytes + 8 * k, 8);
+    bits |= (eight * 0x0102040810204080u >> 56) << (8 * k);  // one bit of each byte
+  }
+  return bits;
+#endif
+}
 
 std::uint32_t weather(const SnowLaw& given_law, const SnowWeatherRow& row) {
   const SnowLaw law = given_law;  // a copy, which no store of the loop can change
@@ -81,16 +101,11 @@ std::uint64_t find_steep(const std::int32_t* ground_a, const std::int32_t* snow_
       steep[i] = (difference > step ? 1 : 0) | (difference < -step ? 1 : 0);
     }
   }
-  std::uint64_t bits = 0;
-  for (int k = 0; k < 8; ++k) {
-    std::uint64_t eight = 0;
-    __builtin_memcpy(&eight, steep + 8 * k, 8);
-    bits |= (eight * 0x0102040810204080u >> 56) << (8 * k);  // one bit of each byte
-  }
-  return bits;
+  return bits_of(steep);
 }
 
-/// The same for blocks of 64 of any number of surfaces: whether one of each is steep. Few are; most need no closer look.
+/// The same for blocks of 64 of any number of surfaces: whether one of each is steep. Few are; most need no closer
+/// look.
 void find_steep_blocks(const std::int32_t* __restrict ground_a, const std::int32_t* __restrict snow_a,
                        const std::int32_t* __restrict ground_b, const std::int32_t* __restrict snow_b, int count,
                        int step, std::uint8_t* __restrict blocks) {
@@ -126,7 +141,8 @@ void draw_lattice(const SnowLaw& law, int row, int lowest, StrengthLattice& latt
   }
 }
 
-void strength(const SnowLaw& law, const SnowStrengthRow& row, StrengthLattice& lattice) {
+void strength(const SnowLaw& given_law, const SnowStrengthRow& row, StrengthLattice& lattice) {
+  const SnowLaw law = given_law;  // a copy, which no store of the loops can change
   const std::int32_t* __restrict mobile = row.mobile;
   const std::int32_t* __restrict loose = row.loose;
   float* __restrict strength = row.strength;

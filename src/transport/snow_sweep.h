@@ -102,8 +102,8 @@ inline constexpr int snow_window = 32;
 struct alignas(8) StripCell {
   std::uint32_t snow = 0;  ///< snow_word
   std::uint32_t way = 0;   ///< mean hop in 1/64 rows (SnowWeather); upper half: rows that a slab can fly from here
-                          ///< before higher ground ends its hop, and as the highest bit whether one has come to rest
-                          ///< here in this step
+                           ///< before higher ground ends its hop, and as the highest bit whether one has come to rest
+                           ///< here in this step
 };
 ERG_CELL_RULE int run_of(std::uint32_t way) { return static_cast<int>(way >> 16 & 0x7fff); }
 inline constexpr std::uint32_t snow_has_landed = std::uint32_t{1} << 31;
@@ -123,8 +123,11 @@ struct SnowLines {
 inline constexpr int polled_row_bit = 6;
 inline constexpr int lifts_loose_bit = 12;
 inline constexpr int lifts_hard_bit = 13;
-/// As many of them as a window may have in one of so many sub-sweeps.
-inline constexpr int most_polls(int sweeps) { return snow_lines * (sweeps < snow_window ? snow_window / sweeps : 1); }
+/// Places for as many of them as a window may have in one of so many sub-sweeps; some are for what is written beyond
+/// the last.
+inline constexpr int most_polls(int sweeps) {
+  return snow_lines * (sweeps < snow_window ? snow_window / sweeps : 1) + 16;
+}
 
 struct SnowPollDraw {
   int first_row = 0;
