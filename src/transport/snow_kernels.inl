@@ -155,19 +155,24 @@ void strength(const SnowLaw& given_law, const SnowStrengthRow& row, StrengthLatt
     highest = layer > highest ? layer : highest;
   }
   const int at = strength_row(law, y);
-  if (lattice.points == nullptr || highest + 1 >= lowest + StrengthLattice::layers) {
-    ERG_EACH(x, row.count) strength[x] = snow_strength(law, x, y, mobile[x] - loose[x]);
-    return;
+  if (!has_noise(law)) {
+    ERG_EACH(x, row.count) strength[x] = 1;
+  } else if (highest + 1 >= lowest + StrengthLattice::layers) {
+    const auto point = [&law](int c, int r, int l) { return strength_point(law, c, r, l); };
+    ERG_EACH(x, row.count) strength[x] = noise_strength(law, x, y, mobile[x] - loose[x], point);
+  } else {
+    if (at != lattice.row || lowest < lattice.lowest || highest + 1 >= lattice.lowest + StrengthLattice::layers) {
+      draw_lattice(law, at, lowest, lattice);
+    }
+    const float* __restrict points = lattice.points;
+    const int next_row = (law.noise_columns + 1) * StrengthLattice::layers;
+    const auto point = [points, next_row, at, low = lattice.lowest](int c, int r, int l) {
+      return points[(r - at) * next_row + c * StrengthLattice::layers + l - low];
+    };
+    ERG_EACH(x, row.count) strength[x] = noise_strength(law, x, y, mobile[x] - loose[x], point);
   }
-  if (at != lattice.row || lowest < lattice.lowest || highest + 1 >= lattice.lowest + StrengthLattice::layers) {
-    draw_lattice(law, at, lowest, lattice);
-  }
-  const float* __restrict points = lattice.points;
-  const int next_row = (law.noise_columns + 1) * StrengthLattice::layers;
-  const auto point = [points, next_row, at, low = lattice.lowest](int c, int r, int l) {
-    return points[(r - at) * next_row + c * StrengthLattice::layers + l - low];
-  };
-  ERG_EACH(x, row.count) strength[x] = snow_strength_between(law, x, y, mobile[x] - loose[x], point);
+  if (!has_layers(law)) return;
+  ERG_EACH(x, row.count) strength[x] *= layer_strength(law, mobile[x] - loose[x]);
 }
 
 // --- surface ---

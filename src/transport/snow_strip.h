@@ -88,7 +88,7 @@ class SnowStrip {
   void for_stretches(int begin, int end, const Visit& visit) const;
   SnowStretch stretch(int row, int line, int count);
   SnowAhead ahead_of(int row, int line) const;
-  void ask_ahead(int row, int line, int count) const;
+  void ask_ahead(int row, int line, int count, bool takes) const;
   void take_rows(int end);
   void take_heights(int end);
   void take_ground(int begin, int end);
