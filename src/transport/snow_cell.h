@@ -250,8 +250,8 @@ ERG_CELL_RULE bool has_layers(const SnowLaw& law) {
   return law.pattern == StrengthPattern::layers || law.pattern == StrengthPattern::both;
 }
 
-/// The factors of the strength of bonded snow in cell (x, y) of the terrain, `height` slabs over its bedrock: by the noise,
-/// `point` as in strength_noise, and by the layer.
+/// The factors of the strength of bonded snow in cell (x, y) of the terrain, `height` slabs over its bedrock: by the
+/// noise, `point` as in strength_noise, and by the layer.
 template <typename Point>
 ERG_CELL_RULE float noise_strength(const SnowLaw& law, int x, int y, int height, const Point& point) {
   return law.strength_table[static_cast<int>(strength_noise(law, x, y, height, point) * 256)];

@@ -102,13 +102,13 @@ void SnowStrip::take_ground(int begin, int end) {
   });
 }
 
-/// Pieces of the terrain's rows that oblique lines cross are too short for the processor to see what comes next: asks for
-/// that of a row further on.
+/// Pieces of the terrain's rows that oblique lines cross are too short for the processor to see what comes next: asks
+/// for that of a row further on.
 void SnowStrip::ask_ahead(int row, int line, int count, bool takes) const {
   constexpr int rows_on = 3;
   const std::ptrdiff_t step = plan_.frame.step_v;
-  const std::size_t cell = plan_.frame.cell(column(row, line), row) +
-                           static_cast<std::size_t>(rows_on * (plan_.frame.step_u + step));
+  const std::size_t cell =
+      plan_.frame.cell(column(row, line), row) + static_cast<std::size_t>(rows_on * (plan_.frame.step_u + step));
   constexpr int at_once = static_cast<int>(cache_line / sizeof(std::int32_t));
   for (int i = 0; i < count + at_once; i += at_once) {
     const std::size_t there = cell + static_cast<std::size_t>(i * step);

@@ -27,7 +27,7 @@ void SnowStrip::begin(const SnowFlightPlan& plan, int first, int lines) {
   const auto windows = static_cast<std::size_t>(plan.windows);
   // Nothing has been left in the air by another strip.
   loads_.resize(windows * snow_lines * snow_window);
-  const bool crowded = plan.frame.length + plan.inflow + 1 > most_short_slabs;
+  const bool crowded = plan.frame.length + plan.inflow + plan.sweeps >= most_short_slabs;
   excess_.resize(crowded ? loads_.size() : 0);
   falls_.resize(windows * snow_lines);
 }
