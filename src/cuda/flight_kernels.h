@@ -53,10 +53,13 @@ __device__ inline bool stays(const Ground& ground, std::uint32_t slab) {
 }
 
 /// Rows of the hop from here.
-__device__ inline std::int32_t hop_from(const DevicePlan& plan, const Ground& ground) {
-  const std::uint32_t rows_256 = plan.hop_table[plan.hop_by_height ? ground.height : 0];
-  const std::uint32_t random = byte_of(next_word(ground.landing_word, Draw::hop), ground.line);
-  return static_cast<std::int32_t>(hop_rows(rows_256, random));
+__device__ inline std::int32_t hop_from(const DevicePlan& plan, const Ground& ground, std::int32_t row) {
+  if (plan.hop_by_height) {
+    const std::uint32_t random = byte_of(next_word(ground.landing_word, Draw::hop), ground.line);
+    return static_cast<std::int32_t>(hop_rows(plan.hop_table[ground.height], random));
+  }
+  const std::uint32_t random = line_byte(hop_key(plan.sweep.sweep_word, static_cast<std::uint32_t>(row)), ground.line);
+  return static_cast<std::int32_t>(hop_rows(plan.hop_table[0], random));
 }
 
 __device__ inline void set_down(const DevicePlan& plan, std::int32_t cell, std::uint32_t slabs) {
@@ -118,7 +121,7 @@ __device__ inline void follow(const DevicePlan& plan, std::int32_t line, std::in
       set_down(plan, ground.cell, 1);
       return;
     }
-    const std::int32_t rows = hop_from(plan, ground);
+    const std::int32_t rows = hop_from(plan, ground, end);
     tally.counts[tally_rows] += rows;
     row = end;
     end = row + rows;
@@ -171,7 +174,7 @@ __global__ void lift(DevicePlan plan) {
     const Ground ground = ground_at(plan, line, row);
     if (ground.held) continue;
     atomicAdd(plan.after + ground.cell, ~std::uint32_t{0});
-    const std::int32_t rows = hop_from(plan, ground);
+    const std::int32_t rows = hop_from(plan, ground, row);
     ++tally.counts[tally_lifts];
     // Nobody else polls this cell in this sub-sweep.
     if (plan.lift_counts) ++plan.lift_counts[plan.order.place(ground.cell)];
@@ -223,7 +226,7 @@ __global__ void carry(DevicePlan plan) {
       for (std::uint32_t slab = 0; slab < now.slabs; ++slab) landed += stays(ground, slab) ? 1 : 0;
       set_down(plan, ground.cell, landed);
       std::uint32_t leaving = now.slabs - landed;
-      const std::int32_t rows = hop_from(plan, ground);
+      const std::int32_t rows = hop_from(plan, ground, now.row);
       tally.counts[tally_rows] += static_cast<std::int64_t>(rows) * leaving;
       if (leaving > 0 && !fly(plan, line, now.row, now.row + rows, leaving, tally)) leaving = 0;
       send_on(plan, first, now.row, now.row + rows, leaving);

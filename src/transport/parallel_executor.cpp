@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "transport/fixed_point.h"
+#include "transport/slab_cell.h"
 #include "transport/sub_sweep.h"
 
 namespace erg {
@@ -111,6 +112,12 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
   const bool apart = lines_stay_apart<Lane>();
   Lane* before = mine.before.data();
   Lane* after = mine.after.data();
+  if (layout_.lean != 0) {
+    SweepPlan<Lane> plan = sweep_plan<Lane>(progress);
+    plan.after = before;
+    keep_firsts<Lane>(kernels, slide_plan<Lane>(plan, *progress.law, member, 0), member);
+    team_.meet();
+  }
   // What members show each other lies in two places in turn: no member is more than one meeting ahead of another.
   for (int turn = 0; goes_on(progress) && ring_rows(progress.highest) <= rows; turn = 1 - turn) {
     SweepPlan<Lane> plan = sweep_plan<Lane>(progress);
@@ -120,16 +127,20 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     plan.lifted = lifted_.empty() ? nullptr : lifted_.data();
     for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
     meet_unless(apart);
+    const auto strips = static_cast<int>(mine.strips.size());
     if (layout_.lean != 0) {
       // What hangs over into a member's strip it takes itself: those places are in its own processor's cache.
-      const auto strips = static_cast<int>(mine.strips.size());
       for (int k = first_strip; k < end_strip; ++k) {
         kernels.hand_over(plan, mine.strips[static_cast<std::size_t>((k + strips - 1) % strips)]);
       }
       meet_unless(apart);
     }
+    // For the same reason it carries those strips that come over the torus edge into its own, or nearly so.
+    const int lines = mine.strips.front().lines;
+    const int over = static_cast<int>(
+        (line_offset(layout_.length, plan.drift, plan.phase, layout_.length) + lines / 2) / lines % strips);
     for (int k = first_strip; k < end_strip; ++k) {
-      Strip<Lane>& strip = mine.strips[static_cast<std::size_t>(k)];
+      Strip<Lane>& strip = mine.strips[static_cast<std::size_t>((k + strips - over) % strips)];
       if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);
       strip.shown[turn] = strip.counts;
     }
@@ -219,10 +230,23 @@ void ParallelExecutor::slide_seams(const SweepKernels<Lane>& kernels, const Slid
       kernels.slide_column_seam(plan, left, right, is_mine(left), is_mine(right));
     }
   }
-  if (plan.diagonals && plan.layout.lean != 0 && plan.layout.length > 1) {
-    team_.meet();
-    if (member == 0) kernels.slide_corners(plan);
+  if (plan.layout.lean == 0) return;
+  keep_firsts<Lane>(kernels, plan, member);
+  if (!plan.diagonals || plan.layout.length == 1) return;
+  team_.meet();
+  if (member != 0) return;
+  kernels.slide_corners(plan);
+  for (int block = 0; block < blocks; ++block) {
+    kernels.keep_firsts(plan, block, 0, 1);
+    kernels.keep_firsts(plan, block, plan.layout.length - 1, plan.layout.length);
   }
+}
+
+/// Skewed planes: keeps the first places of the member's blocks.
+template <typename Lane>
+void ParallelExecutor::keep_firsts(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
+  const auto [first, end] = share(plan.layout.blocks, member, sweepers());
+  for (int block = first; block < end; ++block) kernels.keep_firsts(plan, block, 0, plan.layout.length);
 }
 
 /// Members that carry out sub-sweeps.
@@ -260,6 +284,7 @@ SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress) const {
   SweepPlan<Lane> plan;
   static_cast<SubSweep&>(plan) = sub_sweep(*progress.law, frame_, open_, progress.key, progress.sweep, options_.sweeps);
   plan.layout = layout_;
+  plan.before_firsts = mine.firsts.data();
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();
   plan.cover = cover_.empty() ? nullptr : cover_.data();
   plan.wall_rows = wall_rows_.empty() ? nullptr : wall_rows_.data();
@@ -288,6 +313,7 @@ SlidePlan<Lane> ParallelExecutor::slide_plan(const SweepPlan<Lane>& sweep, const
   plan.diagonals = sweep.edge_classes == 8;
   plan.open = open_;
   plan.order = sweep.order;
+  plan.firsts = mine.firsts.data();
   plan.edges = mine.edges.data() + mine.edges.size() / 2 * static_cast<std::size_t>(turn);
   plan.seam =
       mine.seams.data() + mine.seams.size() / static_cast<std::size_t>(sweepers()) * static_cast<std::size_t>(member);

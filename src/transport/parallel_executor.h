@@ -48,6 +48,7 @@ class ParallelExecutor : public Executor {
     std::vector<Strip<Lane>> strips;
     AlignedVector<Lane> rings;
     AlignedVector<Overhang<Lane>> overhangs;  ///< of each strip and row; empty where planes are not skewed
+    AlignedVector<Lane> firsts;               ///< SlidePlan::firsts
     AlignedVector<Lane> edges;                ///< SlidePlan::edges, of two sub-sweeps in turn
     AlignedVector<Lane> seams;                ///< SlidePlan::seam, for each member
   };
@@ -119,6 +120,8 @@ class ParallelExecutor : public Executor {
   template <typename Lane>
   void slide_seams(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
   int sweepers() const;
+  template <typename Lane>
+  void keep_firsts(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
   static std::pair<int, int> share(int count, int member, int members);
   template <typename Lane>
   SweepPlan<Lane> sweep_plan(const Progress& progress) const;

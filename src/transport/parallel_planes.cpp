@@ -224,6 +224,7 @@ void ParallelExecutor::prepare_strips(int ring_rows) {
   if (mine.rings.size() != ring * count) mine.rings.assign(ring * count, 0);
   const std::size_t rows = layout_.lean != 0 ? static_cast<std::size_t>(layout_.length) : 0;
   mine.overhangs.resize(rows * count);
+  mine.firsts.resize(rows * static_cast<std::size_t>(layout_.blocks) * first_places);
   const auto length = static_cast<std::size_t>(layout_.length);
   mine.edges.resize(2 * 4 * static_cast<std::size_t>(layout_.blocks) * length);
   mine.seams.resize(static_cast<std::size_t>(members) * (seam_columns * length + fetched_ahead));
@@ -233,6 +234,9 @@ void ParallelExecutor::prepare_strips(int ring_rows) {
     strip.lines = std::min(lines, frame_.width - strip.first);
     strip.ring = mine.rings.data() + ring * k;
     strip.overhang = layout_.lean != 0 ? mine.overhangs.data() + rows * k : nullptr;
+    const int next = layout_.wrapped(strip.first + strip.lines);
+    const int next_block = layout_.block_of(next);
+    strip.next_block = layout_.lean != 0 && next == next_block * layout_.block_columns ? next_block : -1;
   }
 }
 

@@ -40,6 +40,15 @@ ERG_CELL_RULE std::uint32_t line_byte(std::uint32_t key, std::uint32_t line) {
   return (quad_word(key, line >> 2) >> (8 * (line & 3))) & 0xff;
 }
 
+/// Rows in which the hops of a line are rounded alike where all hops have the same length: a draw for each row would
+/// cost a twentieth of the sub-sweep, and a slab comes down in other rows before it could tell.
+inline constexpr int hop_rows_alike = 8;
+
+/// Keys the bytes (line_byte) that round such hops, for the slabs that leave this row.
+ERG_CELL_RULE std::uint32_t hop_key(std::uint64_t sweep_word, std::uint32_t row) {
+  return draw_key(row_word(sweep_word, row / static_cast<std::uint32_t>(hop_rows_alike)), Draw::hop);
+}
+
 /// Further random bytes for the same lines, cheaper than a fresh word: from a quad's word of the first landing draw,
 /// that of its second landing or of its hops.
 ERG_CELL_RULE std::uint32_t next_word(std::uint32_t word, Draw draw) {

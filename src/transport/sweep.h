@@ -33,6 +33,11 @@ struct Overhang {
   Lane heights[most_lead] = {};
 };
 
+/// Places at the start of each row of a block that are kept packed together, for the strip before it to read: in their
+/// places they lie in a cache line a row that their own thread writes to all the time. most_lead, and one to fill a
+/// word.
+inline constexpr int first_places = 4;
+
 /// Everything that all strips of a sub-sweep share: what was drawn for it, and where it works. `Lane` counts slabs: 8
 /// or 16 bits.
 template <typename Lane>
@@ -40,6 +45,7 @@ struct SweepPlan : SubSweep {
   PlaneLayout layout;
   const Lane* before = nullptr;
   Lane* after = nullptr;
+  const Lane* before_firsts = nullptr;      ///< skewed planes: first_places of each row of each block of `before`
   const Lane* bedrock = nullptr;            ///< null where all bedrock is level (then it is 0)
   const std::uint8_t* cover = nullptr;      ///< null: bare
   const std::uint8_t* wall_rows = nullptr;  ///< with obstacles: 1 where the row holds bedrock that may stop slabs
@@ -83,6 +89,7 @@ struct alignas(fetched_ahead) Strip {
   alignas(64) Lane upwind[strip_lines];  ///< height of the row before (oblique winds)
   alignas(64) Lane target[strip_lines];  ///< the row of the block in which the line is polled
   Overhang<Lane>* overhang = nullptr;    ///< of each row; null where planes are not skewed
+  int next_block = -1;                   ///< the block that begins where the strip's own places end, if one does
   Lane* ring = nullptr;                  ///< ring_rows x strip_lines, empty (0) between sub-sweeps
 };
 
@@ -99,6 +106,7 @@ struct SlidePlan {
   bool diagonals = false;
   bool open = false;
   const std::uint8_t* order = nullptr;  ///< edge classes in the order of this sub-sweep
+  Lane* firsts = nullptr;               ///< skewed planes: first_places of each row of each block
   Lane* edges = nullptr;                ///< what stands in the outermost columns of each block (edge_column)
   Lane* seam = nullptr;                 ///< room for the columns of one seam: seam_columns x length
 
@@ -129,6 +137,8 @@ struct SweepKernels {
   void (*keep_edges)(const SlidePlan<Lane>&, int block);                   ///< copies the outermost columns
   /// Edges between two blocks, from the columns that both have kept; writes to those blocks that are `mine`.
   void (*slide_column_seam)(const SlidePlan<Lane>&, int left, int right, bool left_mine, bool right_mine);
+  /// Copies the first places of a block's rows [first, end).
+  void (*keep_firsts)(const SlidePlan<Lane>&, int block, int first_row, int end_row);
   void (*slide_corners)(const SlidePlan<Lane>&);  ///< skewed planes: edges between blocks over the torus edge
 };
 

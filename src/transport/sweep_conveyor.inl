@@ -8,12 +8,12 @@ class Conveyor {
       : plan_(plan),
         strip_(strip),
         lanes_((strip.lines + 63) / 64 * 64),
-        next_strip_(plan.layout.at_place(plan.layout.wrapped(strip.first + strip.lines), 0)),
+        shades_beside_(plan.adjacent_fall >> fixed_point_bits != plan.row_fall >> fixed_point_bits),
         walk_(plan.layout, plan.drift, plan.phase, strip.first, strip.lines),
         draws_(strip.first, lanes_),
         flight_(plan, strip, draws_, lanes_) {
     std::memset(&row_, 0, sizeof row_);
-    std::memset(&sums_, 0, sizeof sums_);
+    std::memset(polls_, 0, sizeof polls_);
   }
 
   void convey() {
@@ -37,13 +37,14 @@ class Conveyor {
       walk_.go_on();
       if (++row_in_block == block) row_in_block = 0;
     }
-    flush_sums();
+    flush_polls();
     if (plan_.open) flight_.drop_all(plan_.layout.length);
   }
 
   void carry() {
     if (strip_.last_arrival < plan_.layout.length) return;
     walk_.start(plan_.layout.length);
+    flight_.round_hops(plan_.layout.length);
     const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan_.layout.length;
     std::memset(strip_.target, 0xff, sizeof strip_.target);
     for (std::int64_t flown = plan_.layout.length; flown <= strip_.last_arrival; ++flown) {
@@ -55,7 +56,6 @@ class Conveyor {
       add_row();
       walk_.go_on();
     }
-    flush_sums();
   }
 
  private:
@@ -66,14 +66,24 @@ class Conveyor {
 
   /// Reads the frozen surface. `flown` is the row counted on over the torus edge: it keys the random numbers.
   void read_row(std::int64_t flown) {
-    walk_.copy_in(row_.height, plan_.before);
-    if (strip_.overhang && walk_.y() + prefetch_rows < plan_.layout.length) {
-      const std::size_t row = static_cast<std::size_t>(walk_.y() + prefetch_rows);
-      __builtin_prefetch(plan_.before + next_strip_ + row * static_cast<std::size_t>(plan_.layout.pitch));
-    }
+    read_heights(flown);
     if (plan_.bedrock) walk_.copy_in(row_.bedrock, plan_.bedrock);
     if (plan_.cover) walk_.copy_in(row_.cover, plan_.cover);
     row_.word = row_word(plan_.sweep_word, static_cast<std::uint32_t>(flown));
+  }
+
+  void read_heights(std::int64_t flown) {
+    if (strip_.next_block < 0 || flown >= plan_.layout.length) {
+      walk_.copy_in(row_.height, plan_.before);
+      return;
+    }
+    const int own = own_lanes();
+    walk_.copy_in(row_.height, plan_.before, own);
+    const std::size_t row =
+        static_cast<std::size_t>(strip_.next_block) * static_cast<std::size_t>(plan_.layout.length) +
+        static_cast<std::size_t>(walk_.y());
+    const Lane* beyond = plan_.before_firsts + row * first_places + own + walk_.lead() - strip_.lines;
+    for (int lane = own; lane < strip_.lines; ++lane) row_.height[lane] = beyond[lane - own];
   }
 
   void write_row() {
@@ -87,8 +97,8 @@ class Conveyor {
       highest = now > highest ? now : highest;
     }
     if (highest > strip_.counts.highest) strip_.counts.highest = highest;
-    walk_.for_runs(own_lanes(), [&](int lane, std::size_t cell, std::size_t count) {
-      std::memcpy(plan_.after + cell, height + lane, count * sizeof(Lane));
+    walk_.for_runs(own_lanes(), [&](int lane, std::size_t cell, int count, int room) {
+      copy_lanes(plan_.after + cell, height + lane, count, strip_lines - lane, room);
     });
     if (strip_.overhang) keep_overhang();
     if (most_landed_ > strip_.counts.most_landed) strip_.counts.most_landed = most_landed_;
@@ -109,19 +119,19 @@ class Conveyor {
 
   /// Which cells of the row have given a slab, for those who want to know.
   void write_lifted() const {
-    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, int count, int) {
       std::uint8_t* __restrict out = plan_.lifted + cell;
       const Lane* __restrict lifted = row_.lifted + lane;
-      ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<std::uint8_t>(lifted[i]);
+      ERG_EACH(i, count) out[i] = static_cast<std::uint8_t>(lifted[i]);
     });
   }
 
   void add_row() {
     if (most_landed_ == 0) return;
-    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, std::size_t count) {
+    walk_.for_runs(strip_.lines, [&](int lane, std::size_t cell, int count, int) {
       Lane* __restrict out = plan_.after + cell;
       const Lane* __restrict landed = row_.landed + lane;
-      ERG_EACH(i, static_cast<int>(count)) out[i] = static_cast<Lane>(out[i] + landed[i]);
+      ERG_EACH(i, count) out[i] = static_cast<Lane>(out[i] + landed[i]);
     });
     if (most_landed_ > strip_.counts.most_carried) strip_.counts.most_carried = most_landed_;
   }
@@ -143,7 +153,7 @@ class Conveyor {
     Lane* __restrict dark = row_.dark;
     Shadow* __restrict line = strip_.line;
     const Shadow fall = static_cast<Shadow>(plan_.row_fall);
-    if (!plan_.oblique) {
+    if (!shades_beside_) {
       ERG_EACH(i, lanes_) {
         const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
         dark[i] = top < line[i] ? all_ones : Lane{0};
@@ -152,7 +162,6 @@ class Conveyor {
       }
       return;
     }
-    // To the next row the line falls less: it shades what lies lower than the cell upwind by more than these slabs.
     Lane* __restrict upwind = strip_.upwind;
     const Lane stands_clear = static_cast<Lane>(plan_.adjacent_fall >> fixed_point_bits);
     ERG_EACH(i, lanes_) {
@@ -183,8 +192,9 @@ class Conveyor {
     }
     for (int i = strip_.lines; i < lanes_; ++i) target[i] = all_ones;
     const Lane rows = static_cast<Lane>(plan_.layout.length - y < block ? plan_.layout.length - y : block);
-    Lane* __restrict polls = sums_.polls;
+    Lane* __restrict polls = polls_;
     ERG_EACH(i, lanes_) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
+    if (++blocks_polled_ == static_cast<Lane>(~Lane{0})) flush_polls();
   }
 
   // --- lifting and landing ---
@@ -192,6 +202,7 @@ class Conveyor {
   /// Everything that happens in one row: which slabs lift, which stay, and where the others come down next.
   void decide(std::int64_t flown, Lane row_in_block) {
     Lane* arrivals = flight_.arrivals(flown);
+    if (flown % hop_rows_alike == 0) flight_.round_hops(flown);
     judge_ground();
     draws_.fill_landing(row_);
     const Lane most = lift_and_land(arrivals, row_in_block);
@@ -204,8 +215,8 @@ class Conveyor {
     if (most > 2) land_others(arrivals);
     if (most > 0) std::memset(arrivals, 0, static_cast<std::size_t>(lanes_) * sizeof(Lane));
     if (plan_.wall_rows) meet_walls(flown);
-    if (any_leaving_) flight_.launch(row_, flown, static_cast<std::uint32_t>(most) + 1);
-    if (++rows_summed_ == LaneSums<Lane>::rows_before_flush) flush_sums();
+    if (any_leaving_) flight_.launch(row_, flown);
+    count(flown);
   }
 
   /// Where slabs may lift, and how likely they stay.
@@ -260,7 +271,6 @@ class Conveyor {
     Lane* __restrict lifted = row_.lifted;
     Lane* __restrict landed = row_.landed;
     Lane* __restrict leaving = row_.leaving;
-    Lane* __restrict lift_sum = sums_.lifts;
     Lane most = 0;
     Lane any_leaving = 0;
     ERG_EACH(i, lanes_) {
@@ -273,7 +283,6 @@ class Conveyor {
       lifted[i] = lift;
       landed[i] = land;
       leaving[i] = leave;
-      lift_sum[i] = static_cast<Lane>(lift_sum[i] + lift);
       most = arriving > most ? arriving : most;
       any_leaving = static_cast<Lane>(any_leaving | leave);
     }
@@ -366,29 +375,41 @@ class Conveyor {
 
   // --- counts ---
 
-  void flush_sums() {
-    for (int i = 0; i < lanes_; ++i) {
-      strip_.counts.polls += sums_.polls[i];
-      strip_.counts.lifts += sums_.lifts[i];
+  /// Books what the row has given and taken. A slab that is lifted in one row and comes to rest in another has flown
+  /// the rows between, however often it has touched the ground.
+  void count(std::int64_t flown) {
+    const Lane* __restrict lifted = row_.lifted;
+    const Lane* __restrict landed = row_.landed;
+    const Lane* __restrict none = row_.none;
+    int lifts = 0;
+    int landings = 0;
+    // Sums of differences from nothing: those of bytes are one instruction.
+    ERG_EACH(i, lanes_) lifts += __builtin_abs(lifted[i] - none[i]);
+    if (most_landed_ > 0) {
+      ERG_EACH(i, lanes_) landings += __builtin_abs(landed[i] - none[i]);
     }
-    std::memset(&sums_, 0, sizeof sums_);
-    rows_summed_ = 0;
-    flight_.flush_sums();
+    strip_.counts.lifts += lifts;
+    strip_.counts.rows_flown += flown * (landings - lifts);
   }
 
-  // A processor fetches rows ahead by itself, but not the one cache line a row that it shares with another.
-  static constexpr int prefetch_rows = 8;
+  void flush_polls() {
+    for (int i = 0; i < lanes_; ++i) strip_.counts.polls += polls_[i];
+    std::memset(polls_, 0, sizeof polls_);
+    blocks_polled_ = 0;
+  }
 
   const SweepPlan<Lane>& plan_;
   Strip<Lane>& strip_;
   const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
-  const std::size_t next_strip_;  // the place after the strip's own, in row 0
+  // The shadow line falls less to the next row than along the wind. Heights are whole, so that it matters only where it
+  // is by a whole slab.
+  const bool shades_beside_;
   LineWalk walk_;
   const LineDraws<Lane> draws_;
   Flight<Lane> flight_;
   std::uint32_t most_landed_ = 0;
   bool any_leaving_ = false;
   Row<Lane> row_;
-  LaneSums<Lane> sums_;
-  int rows_summed_ = 0;
+  alignas(64) Lane polls_[strip_lines];  // of each lane since they were last summed up
+  Lane blocks_polled_ = 0;
 };

@@ -10,8 +10,8 @@ class Flight {
   /// How many slabs come down at each lane of a row.
   Lane* arrivals(std::int64_t flown) { return strip_.ring + ring_start(flown); }
 
-  /// Sends the slabs that leave this row to the row where they come down next; at most `most` leave one lane.
-  void launch(Row<Lane>& row, std::int64_t flown, std::uint32_t most) {
+  /// Sends the slabs that leave this row to the row where they come down next.
+  void launch(Row<Lane>& row, std::int64_t flown) {
     if (plan_.hop_by_height) {
       launch_by_height(row, flown);
       return;
@@ -21,47 +21,31 @@ class Flight {
     const Lane far_below = static_cast<Lane>(rows_256 & 0xff);  // of 256: how often a hop is one row longer
     const Lane* __restrict leaving = row.leaving;
     Lane* __restrict near_ring = strip_.ring + ring_start(flown + near_rows);
-    Lane* __restrict left = left_;
-    if (most_left_ + most > static_cast<Lane>(~Lane{0})) flush_sums();
-    most_left_ += most;
     if (far_below == 0) {
-      ERG_EACH(i, lanes_) {
-        near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
-        left[i] = static_cast<Lane>(left[i] + leaving[i]);
-      }
+      ERG_EACH(i, lanes_) near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
       expect(flown + near_rows);
       return;
     }
-    draws_.template fill_next<Draw::hop>(row);
-    const Lane* __restrict random = row.random;
+    const Lane* __restrict one_further = one_further_;
     Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
-    Lane* __restrict left_far = left_far_;
-    const Lane near_below = static_cast<Lane>(256 - far_below);
     ERG_EACH(i, lanes_) {
-      // As hop_rows: one row more where the random byte carries the fraction over.
-      const Lane far = random[i] >= near_below ? leaving[i] : Lane{0};
+      const Lane far = static_cast<Lane>(leaving[i] & one_further[i]);
       const Lane near = static_cast<Lane>(leaving[i] - far);
       near_ring[i] = static_cast<Lane>(near_ring[i] + near);
       far_ring[i] = static_cast<Lane>(far_ring[i] + far);
-      left[i] = static_cast<Lane>(left[i] + leaving[i]);
-      left_far[i] = static_cast<Lane>(left_far[i] + far);
     }
     expect(flown + near_rows + 1);
   }
 
-  /// Books the rows that slabs have been sent on since this was last called.
-  void flush_sums() {
-    std::uint32_t all = 0;
-    std::uint32_t far = 0;
-    for (int i = 0; i < lanes_; ++i) {
-      all += left_[i];
-      far += left_far_[i];
-    }
-    const std::uint32_t near_rows = plan_.hop_table[0] >> fixed_point_bits;
-    strip_.counts.rows_flown += static_cast<std::int64_t>(all) * near_rows + far;
-    std::memset(left_, 0, sizeof left_);
-    std::memset(left_far_, 0, sizeof left_far_);
-    most_left_ = 0;
+  /// For the rows from this one on where hops are rounded alike: which lines' hops are one row longer.
+  void round_hops(std::int64_t flown) {
+    const Lane far_below = static_cast<Lane>(plan_.hop_table[0] & 0xff);
+    if (plan_.hop_by_height || far_below == 0) return;
+    Lane* __restrict one_further = one_further_;
+    draws_.fill(one_further, hop_key(plan_.sweep_word, static_cast<std::uint32_t>(flown)));
+    // As hop_rows: one row more where the random byte carries the fraction over.
+    const Lane near_below = static_cast<Lane>(256 - far_below);
+    ERG_EACH(i, lanes_) one_further[i] = one_further[i] >= near_below ? static_cast<Lane>(~Lane{0}) : Lane{0};
   }
 
   /// New slabs over an open edge.
@@ -79,6 +63,7 @@ class Flight {
       Lane& there = strip_.ring[ring_start(down) + static_cast<std::size_t>(lane)];
       there = static_cast<Lane>(there + 1);
       if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.crowded = true;
+      strip_.counts.rows_flown -= down;  // its way begins where it first comes down
       expect(down);
     }
     strip_.counts.slabs_in += slabs;
@@ -89,7 +74,6 @@ class Flight {
     std::int64_t dropped = 0;
     for (int rows = 1; rows < plan_.ring_rows; ++rows) {
       Lane& flying = arrivals(flown + rows)[lane];
-      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
       dropped += flying;
       flying = 0;
     }
@@ -100,7 +84,7 @@ class Flight {
   void drop_out(int lane, std::int64_t from_row) {
     for (int rows = 0; rows < plan_.ring_rows; ++rows) {
       Lane& flying = strip_.ring[ring_start(from_row + rows) + static_cast<std::size_t>(lane)];
-      strip_.counts.rows_flown -= static_cast<std::int64_t>(rows) * flying;
+      strip_.counts.rows_flown += from_row * flying;
       strip_.counts.slabs_out += flying;
       flying = 0;
     }
@@ -122,7 +106,6 @@ class Flight {
     draws_.template fill_next<Draw::hop>(row);
     std::uint32_t longest = 0;
     std::uint32_t fullest = 0;
-    std::int64_t rows_flown = 0;
     for (int first = 0; first < lanes_; first += 64) {
       for (std::uint64_t mask = lanes_above<0>(row.leaving + first); mask != 0; mask &= mask - 1) {
         const int lane = first + __builtin_ctzll(mask);
@@ -133,11 +116,9 @@ class Flight {
         there = static_cast<Lane>(now);
         fullest = now > fullest ? now : fullest;
         longest = rows > longest ? rows : longest;
-        rows_flown += static_cast<std::int64_t>(rows) * leaving;
       }
     }
     if (sizeof(Lane) == 1 && fullest > narrow_arrivals) strip_.counts.crowded = true;
-    strip_.counts.rows_flown += rows_flown;
     expect(flown + longest);
   }
 
@@ -149,9 +130,5 @@ class Flight {
   Strip<Lane>& strip_;
   const LineDraws<Lane>& draws_;
   const int lanes_;
-  // Slabs that have left each lane where all hops are alike, all of them and those that fly a row further; summed up
-  // now and then, for to sum a row's lanes takes as long as to fly them.
-  alignas(64) Lane left_[strip_lines] = {};
-  alignas(64) Lane left_far_[strip_lines] = {};
-  std::uint32_t most_left_ = 0;  // no sum is higher
+  alignas(64) Lane one_further_[strip_lines];  // mask: hops of these lines are a row longer than the others'
 };

@@ -78,8 +78,8 @@ extern const SweepKernels<std::uint8_t> narrow_kernels;
 extern const SweepKernels<std::uint16_t> wide_kernels;
 template <typename Lane>
 constexpr SweepKernels<Lane> all_kernels{
-    convey<Lane>,     hand_over<Lane>,         carry<Lane>,        slide_tile<Lane>, slide_row_seam<Lane>,
-    keep_edges<Lane>, slide_column_seam<Lane>, slide_corners<Lane>};
+    convey<Lane>,     hand_over<Lane>,         carry<Lane>,       slide_tile<Lane>,   slide_row_seam<Lane>,
+    keep_edges<Lane>, slide_column_seam<Lane>, keep_firsts<Lane>, slide_corners<Lane>};
 const SweepKernels<std::uint8_t> narrow_kernels = all_kernels<std::uint8_t>;
 const SweepKernels<std::uint16_t> wide_kernels = all_kernels<std::uint16_t>;
 

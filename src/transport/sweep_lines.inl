@@ -3,6 +3,22 @@
 // A loop over lanes. The count is copied first: bytes may alias anything, so the compiler would read a member again.
 #define ERG_EACH(i, count) _Pragma("GCC ivdep") for (int i = 0, end_of_##i = (count); i < end_of_##i; ++i)
 
+/// Copies `count` lanes, in whole pieces of 64 bytes where there is room for the last one too, here and there. A
+/// processor hands what was just written on to a load within one store, and a load across two has to wait.
+template <typename T>
+void copy_lanes(T* to, const T* from, int count, int room_here, int room_there) {
+  using Piece [[gnu::vector_size(64), gnu::aligned(1), gnu::may_alias]] = std::uint8_t;
+  constexpr int lanes = 64 / static_cast<int>(sizeof(T));
+  const int rounded = (count + lanes - 1) / lanes * lanes;
+  const int in_pieces = rounded <= room_here && rounded <= room_there ? rounded : count / lanes * lanes;
+  for (int lane = 0; lane < in_pieces; lane += lanes) {
+    *reinterpret_cast<Piece*>(to + lane) = *reinterpret_cast<const Piece*>(from + lane);
+  }
+  if (in_pieces < count) {
+    std::memcpy(to + in_pieces, from + in_pieces, static_cast<std::size_t>(count - in_pieces) * sizeof(T));
+  }
+}
+
 /// Follows the lines of a strip from row to row: in which columns they stand, and where those lie in a plane.
 class LineWalk {
  public:
@@ -54,7 +70,8 @@ class LineWalk {
   int lead() const { return lead_; }
   /// Whether the lines have moved one column sideways at this row.
   bool stepped() const { return stepped_; }
-  /// Calls visit(first lane, cell of a plane, lanes) for each run of the first lanes that lie side by side in a plane.
+  /// Calls visit(first lane, cell of a plane, lanes, room) for each run of the first lanes that lie side by side in a
+  /// plane. There is room for more lanes than the run's where the block's margin follows it.
   template <typename Visit>
   void for_runs(int lanes_wanted, const Visit& visit) const {
     int block = block_;
@@ -63,7 +80,7 @@ class LineWalk {
       const int in_block = layout_.columns_of(block) - column;
       const int left = lanes_wanted - lane;
       const int lanes = in_block < left ? in_block : left;
-      visit(lane, layout_.at(block, column, y_), static_cast<std::size_t>(lanes));
+      visit(lane, layout_.at(block, column, y_), lanes, lanes == in_block ? layout_.pitch - column : lanes);
       lane += lanes;
       block = block + 1 == layout_.blocks ? 0 : block + 1;
     }
@@ -71,8 +88,14 @@ class LineWalk {
 
   template <typename T>
   void copy_in(T* lanes, const T* plane) const {
-    for_runs(lines_, [&](int lane, std::size_t cell, std::size_t count) {
-      std::memcpy(lanes + lane, plane + cell, count * sizeof(T));
+    copy_in(lanes, plane, lines_);
+  }
+  /// The same of the first lanes alone; others may be changed.
+  template <typename T>
+  void copy_in(T* lanes, const T* plane, int lanes_wanted) const {
+    // What a run reads of a block's margin is overwritten by the next run.
+    for_runs(lanes_wanted, [&](int lane, std::size_t cell, int count, int room) {
+      copy_lanes(lanes + lane, plane + cell, count, lines_ - lane, room);
     });
   }
 

@@ -15,16 +15,9 @@ struct Row {
   alignas(64) Lane leaving[strip_lines];
   alignas(64) std::uint8_t cover[strip_lines];
   alignas(64) Lane next_bedrock[strip_lines];
+  alignas(64) Lane none[strip_lines];                        // always 0
   alignas(64) std::uint32_t landing_words[strip_lines / 4];  // of the first landing; further draws follow from them
   std::uint64_t word;                                        // of this row; keys its draws
-};
-
-/// Sums of per-lane counts, flushed before they can overflow.
-template <typename Lane>
-struct LaneSums {
-  static constexpr int rows_before_flush = 120;
-  alignas(64) Lane polls[strip_lines];
-  alignas(64) Lane lifts[strip_lines];
 };
 
 /// One bit for each of 64 lanes: set where the lane holds more than `limit` (0 or 2). Lanes hold less than half of

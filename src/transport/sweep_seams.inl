@@ -27,6 +27,18 @@ void keep_edges(const SlidePlan<Lane>& plan, int block) {
   }
 }
 
+/// Copies the first places of some of a block's rows to where they are kept for the strip before the block.
+template <typename Lane>
+void keep_firsts(const SlidePlan<Lane>& plan, int block, int first_row, int end_row) {
+  const PlaneLayout layout = plan.layout;
+  Lane* kept = plan.firsts + static_cast<std::size_t>(block) * static_cast<std::size_t>(layout.length) * first_places;
+  const Lane* row = plan.heights + layout.at(block, 0, first_row);
+  for (int y = first_row; y < end_row; ++y, row += layout.pitch) {
+    // A block is wider than that, and its margin follows where the last one is not.
+    std::memcpy(kept + first_places * y, row, first_places * sizeof(Lane));
+  }
+}
+
 /// The seam between two blocks.
 template <typename Lane>
 class ColumnSeam {
@@ -37,12 +49,12 @@ class ColumnSeam {
   /// Each class of edges that cross the seam, row after row. Where rows are skewed against each other those along the
   /// wind do so too.
   void slide(bool left_mine, bool right_mine) {
-    const PlaneLayout& layout = plan_.layout;
+    const PlaneLayout layout = plan_.layout;
     for (int column = 2 - depth_; column < 2 + depth_; ++column) fetch(column);
-    edges({left_outer, 0}, {right_outer, 0}, layout.length, false);
+    edges({left_outer, 0}, {right_outer, 0}, layout.length);
     const int rows = plan_.open ? layout.length - 1 : layout.length;
     for (int y = 0; y < rows && layout.lean != 0; ++y) {
-      if (skew_step(layout, y) != 0) edges({right_outer, y}, {left_outer, y + 1}, 1, false);
+      if (skew_step(layout, y) != 0) edge({right_outer, y}, {left_outer, y + 1});
     }
     if (plan_.diagonals && layout.length > 1) {
       // On skewed planes those over the torus edge come later (Slider::corners).
@@ -69,6 +81,9 @@ class ColumnSeam {
     const int column = 4 * layer + cell.column;
     return plan_.seam + static_cast<std::size_t>(column) * static_cast<std::size_t>(plan_.layout.length) + cell.row;
   }
+
+  /// The same of a layer that may not be there: null.
+  Lane* of(const Lane* plane, Layer layer, Cell cell) const { return plane ? at(layer, cell) : nullptr; }
 
   /// The cell of a column in row 0 of the planes.
   std::size_t foot(int column) const {
@@ -104,24 +119,33 @@ class ColumnSeam {
     const int above = y + 1 < plan_.layout.length ? y + 1 : 0;
     if (skew_step(plan_.layout, y) == 0) {
       const Cell lower{rising ? left_outer : right_outer, y};
-      edges(lower, {rising ? right_outer : left_outer, above}, 1, true);
+      diagonal_edge(lower, {rising ? right_outer : left_outer, above});
     } else if (!rising) {
-      edges({right_outer, y}, {left_inner, above}, 1, true);
-      edges({right_inner, y}, {left_outer, above}, 1, true);
+      diagonal_edge({right_outer, y}, {left_inner, above});
+      diagonal_edge({right_inner, y}, {left_outer, above});
     }
   }
 
   /// Edges from a cell and those above it to another and those above that.
-  void edges(Cell a, Cell b, int rows, bool diagonal) const {
-    const auto cell = [&](bool there, Layer layer, Cell which) { return there ? at(layer, which) : nullptr; };
-    const Layer stand = diagonal ? diagonal_steps : steps;
-    const bool varied = (diagonal ? plan_.diagonal_steps : plan_.steps) != nullptr;
-    slide_edges<Lane>(at(heights, a), at(heights, b), cell(plan_.bedrock, bedrock, a), cell(plan_.bedrock, bedrock, b),
-                      cell(varied, stand, a), cell(varied, stand, b),
-                      static_cast<Lane>(diagonal ? plan_.diagonal_step : plan_.step), rows);
+  void edges(Cell a, Cell b, int rows) const {
+    slide_edges<Lane>(at(heights, a), at(heights, b), of(plan_.bedrock, bedrock, a), of(plan_.bedrock, bedrock, b),
+                      of(plan_.steps, steps, a), of(plan_.steps, steps, b), static_cast<Lane>(plan_.step), rows);
   }
 
-  const SlidePlan<Lane>& plan_;
+  void edge(Cell a, Cell b) const {
+    slide_here<Lane>(at(heights, a), at(heights, b), of(plan_.bedrock, bedrock, a), of(plan_.bedrock, bedrock, b),
+                     of(plan_.steps, steps, a), of(plan_.steps, steps, b), static_cast<Lane>(plan_.step), 1);
+  }
+
+  void diagonal_edge(Cell a, Cell b) const {
+    const Lane* plane = plan_.diagonal_steps;
+    slide_here<Lane>(at(heights, a), at(heights, b), of(plan_.bedrock, bedrock, a), of(plan_.bedrock, bedrock, b),
+                     of(plane, diagonal_steps, a), of(plane, diagonal_steps, b), static_cast<Lane>(plan_.diagonal_step),
+                     1);
+  }
+
+  // A copy: what is written through a pointer to bytes might be a part of anything else, and be read again each time.
+  const SlidePlan<Lane> plan_;
   const int left_;
   const int right_;
   const int depth_;

@@ -3,8 +3,9 @@
 
 /// One slab down each edge between lanes of two rows that is steeper than what stands.
 template <typename Lane, bool relief, bool varied>
-void slide_lanes(Lane* __restrict a, Lane* __restrict b, const Lane* bedrock_a, const Lane* bedrock_b,
-                 const Lane* step_a, const Lane* step_b, Lane step, int lanes) {
+[[gnu::always_inline]] inline void slide_lanes(Lane* __restrict a, Lane* __restrict b, const Lane* bedrock_a,
+                                               const Lane* bedrock_b, const Lane* step_a, const Lane* step_b, Lane step,
+                                               int lanes) {
   ERG_EACH(i, lanes) {
     const Lane here = a[i];
     const Lane there = b[i];
@@ -21,10 +22,10 @@ void slide_lanes(Lane* __restrict a, Lane* __restrict b, const Lane* bedrock_a, 
   }
 }
 
-/// The same where bedrock is null when it is level, and steps when all are alike.
+/// The same where bedrock is null when it is level, and steps when all are alike. Inlined for the sake of single edges.
 template <typename Lane>
-void slide_edges(Lane* a, Lane* b, const Lane* bedrock_a, const Lane* bedrock_b, const Lane* step_a, const Lane* step_b,
-                 Lane step, int lanes) {
+[[gnu::always_inline]] inline void slide_here(Lane* a, Lane* b, const Lane* bedrock_a, const Lane* bedrock_b,
+                                              const Lane* step_a, const Lane* step_b, Lane step, int lanes) {
   if (bedrock_a && step_a) {
     slide_lanes<Lane, true, true>(a, b, bedrock_a, bedrock_b, step_a, step_b, step, lanes);
   } else if (bedrock_a) {
@@ -34,6 +35,12 @@ void slide_edges(Lane* a, Lane* b, const Lane* bedrock_a, const Lane* bedrock_b,
   } else {
     slide_lanes<Lane, false, false>(a, b, nullptr, nullptr, nullptr, nullptr, step, lanes);
   }
+}
+
+template <typename Lane>
+[[gnu::noinline]] void slide_edges(Lane* a, Lane* b, const Lane* bedrock_a, const Lane* bedrock_b, const Lane* step_a,
+                                   const Lane* step_b, Lane step, int lanes) {
+  slide_here(a, b, bedrock_a, bedrock_b, step_a, step_b, step, lanes);
 }
 
 /// Places by which the row above is shifted to the left: the cell above place p stands in place p - skew_step. The
