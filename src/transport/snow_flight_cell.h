@@ -8,7 +8,8 @@
 
 namespace erg {
 
-/// A cell of a line, held together because a slab that lifts or comes down needs all of it.
+/// A cell of a line on a graphics card, held together because a slab that lifts or comes down needs all of it. The
+/// processor's strips find out what lifts beforehand and keep less (StripCell).
 struct alignas(16) SnowCell {
   std::uint32_t snow = 0;     ///< snow_word
   std::uint32_t chances = 0;  ///< SnowWeather

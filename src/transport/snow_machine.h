@@ -83,6 +83,8 @@ class SnowMachine {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks_) + static_cast<std::size_t>(x) / 64;
   }
   std::int32_t surface(std::size_t cell) const { return bedrock_[cell] + mobile_[cell]; }
+  /// Null where it is level.
+  const std::int32_t* bedrock_at(std::size_t cell) const { return relief_ ? bedrock_ + cell : nullptr; }
 
   const InstructionSet instructions_;
 

@@ -101,15 +101,13 @@ void SnowMachine::slide_to_next(int y) {
 }
 
 std::uint64_t SnowMachine::steep_edges(std::size_t a, std::size_t b, int count) const {
-  const std::int32_t* ground = relief_ ? bedrock_ : nullptr;
-  const auto at = [ground](std::size_t cell) { return ground != nullptr ? ground + cell : nullptr; };
-  return snow_kernels(instructions_).find_steep(at(a), mobile_ + a, at(b), mobile_ + b, count, law_->standing);
+  return snow_kernels(instructions_)
+      .find_steep(bedrock_at(a), mobile_ + a, bedrock_at(b), mobile_ + b, count, law_->standing);
 }
 
 void SnowMachine::find_steep_blocks(std::size_t a, std::size_t b, int count, std::uint8_t* flags) const {
-  const std::int32_t* ground = relief_ ? bedrock_ : nullptr;
-  const auto at = [ground](std::size_t cell) { return ground != nullptr ? ground + cell : nullptr; };
-  snow_kernels(instructions_).find_steep_blocks(at(a), mobile_ + a, at(b), mobile_ + b, count, law_->standing, flags);
+  snow_kernels(instructions_)
+      .find_steep_blocks(bedrock_at(a), mobile_ + a, bedrock_at(b), mobile_ + b, count, law_->standing, flags);
 }
 
 void SnowMachine::slide_edge(int x, int y, int other_x, int other_y) {
