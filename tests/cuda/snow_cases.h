@@ -42,7 +42,7 @@ inline std::vector<SnowCase> snow_cases() {
     return world;
   };
   const auto crowded = [](World world) {  // thousands of slabs come down in one cell at the same time
-    world.inflow = 20000;
+    world.inflow = 40000;
     return world;
   };
   const auto pattern = [&](World world, const char* name) {
