@@ -81,6 +81,7 @@ ModelType water_table() {
        .strength_label = slab_strength},
       water_table_parameters(),
       {},  // no layers of its own
+      2,   // bytes a cell: the cover, here and with the executor
       [](const ParameterValues& values) { return std::make_unique<WaterTable>(values); },
       explain};
 }

@@ -229,7 +229,6 @@ int bench_threads(const BenchOptions& options) {
 
 Config bench_config(const std::string& model, int side, const std::vector<std::string>& settings) {
   Config config(model);
-  start_as_model(config);
   config.grid.set("nx", std::int64_t{side});
   config.grid.set("ny", std::int64_t{side});
   config.run.set("seed", static_cast<std::int64_t>(bench_seed));

@@ -1,4 +1,5 @@
 // `erg bench`: options, and the figures as a table or JSON.
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>

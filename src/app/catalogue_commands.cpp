@@ -1,4 +1,5 @@
 // `erg models` and `erg model NAME`: what the catalogue declares, as text or Markdown.
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <span>
@@ -7,7 +8,6 @@
 #include "app/text_table.h"
 #include "core/joined.h"
 #include "models/model.h"
-#include "sim/config.h"
 
 namespace erg {
 namespace {
@@ -38,6 +38,19 @@ TextTable field_table(const std::vector<FieldInfo>& fields) {
   return table;
 }
 
+/// With what a config begins that says nothing but its model.
+std::string start_text(const ModelStart& start) {
+  return "cells of " + value_text(start.cell_size) + " m, a wind of strength " + value_text(start.strength) + ", " +
+         value_text(start.sand) + " slabs a cell";
+}
+
+std::string weather_text(const ModelInfo& info) {
+  std::vector<std::string> asked;
+  if (info.asks_temperature) asked.emplace_back("temperature");
+  if (info.asks_snowfall) asked.emplace_back("snowfall");
+  return asked.empty() ? "nothing" : joined(asked, ", ");
+}
+
 ExitCode print_models() {
   TextTable table;
   table.heading = {"model", "title", "makes"};
@@ -48,10 +61,8 @@ ExitCode print_models() {
 
 ExitCode print_model(const std::string& key, bool markdown) {
   const ModelType& type = find_model(key);
-  Config config(key);
-  start_as_model(config);
-  const std::vector<std::string> meanings = type.explain(config.parameters, config.grid.real("cell_size"));
   const ModelInfo& info = type.info;
+  const std::vector<std::string> meanings = type.explain(ParameterValues(type.parameters), info.start.cell_size);
   const char* bullet = markdown ? "- " : "  ";
 
   std::cout << (markdown ? "# " : "") << info.title << " (`" << info.key << "`)\n\n";
@@ -60,7 +71,9 @@ ExitCode print_model(const std::string& key, bool markdown) {
             << bullet << "Makes: " << info.makes << "\n"
             << bullet << "Leaves out: " << info.leaves_out << "\n"
             << bullet << "A time step: " << info.step << "\n"
-            << bullet << "Wind strength: " << info.strength_label << "\n";
+            << bullet << "Wind strength: " << info.strength_label << "\n"
+            << bullet << "Asks for, besides the wind: " << weather_text(info) << "\n"
+            << bullet << "Starts with: " << start_text(info.start) << "\n";
   std::cout << (markdown ? "\n## Parameters\n\n" : "\nParameters\n\n");
   const TextTable parameters = parameter_table(type.parameters);
   std::cout << (markdown ? parameters.markdown() : parameters.aligned());
@@ -70,7 +83,7 @@ ExitCode print_model(const std::string& key, bool markdown) {
   }
   if (!meanings.empty()) {
     std::cout << (markdown ? "\n## What the defaults mean" : "\nWhat the defaults mean") << ", with cells of "
-              << value_text(config.grid.real("cell_size")) << " m\n\n";
+              << value_text(info.start.cell_size) << " m\n\n";
     for (const std::string& meaning : meanings) std::cout << bullet << meaning << "\n";
   }
   return exit_done;

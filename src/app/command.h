@@ -1,9 +1,12 @@
 // What all commands of the program share: how each one registers itself, and how the program ends.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace erg {
 

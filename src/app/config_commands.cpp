@@ -1,4 +1,5 @@
 // `erg check`, `erg presets` and `erg schema`: config files without running them.
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 

@@ -1,4 +1,5 @@
 // `erg gallery`: the pictures of the presets that the window opens with.
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <memory>

@@ -1,4 +1,5 @@
 // `erg gui`, and `erg` alone: the window.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 

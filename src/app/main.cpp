@@ -1,4 +1,5 @@
 // The program `erg`: names its commands, runs the one that was asked for, and turns errors into exit codes.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 

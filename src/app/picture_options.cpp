@@ -1,5 +1,6 @@
 #include "app/picture_options.h"
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <filesystem>
 #include <optional>

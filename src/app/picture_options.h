@@ -1,12 +1,16 @@
 // The options of pictures on the command line, and the view of a run that pictures show.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "render/look.h"
 #include "render/renderer.h"
 #include "sim/simulation.h"
+
+namespace CLI {
+class App;
+class Option_group;
+}  // namespace CLI
 
 namespace erg {
 

@@ -1,4 +1,5 @@
 // `erg render`: a picture of a config's land or of a checkpoint.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <memory>

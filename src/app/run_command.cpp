@@ -1,4 +1,5 @@
 // `erg run`: grows dunes from a config.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -22,10 +23,16 @@ namespace erg {
 namespace {
 
 constexpr const char* default_folder = "out";
-constexpr std::int64_t default_rows = 50;  // of the CSV, where --every does not say
+// Rows of the CSV, where --every does not say. A row has a spectrum, which costs more than a step.
+constexpr std::int64_t default_rows = 50;
+constexpr std::int64_t default_row_gap = 10;  // steps, at least
 
 bool writes_files(const RunRequest& request) {
   return !request.out.empty() || !request.formats.empty() || request.every > 0;
+}
+
+std::int64_t steps_between_rows(const RunRequest& request, std::int64_t last) {
+  return request.every > 0 ? request.every : std::max(default_row_gap, last / default_rows);
 }
 
 std::string output_folder(const RunRequest& request) { return request.out.empty() ? default_folder : request.out; }
@@ -33,7 +40,7 @@ std::string output_folder(const RunRequest& request) { return request.out.empty(
 /// The run itself: step, write, show; until the last step or Ctrl-C.
 void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& run, RunOutput* output, Film* film) {
   const std::int64_t last = simulation.config().run.integer("steps");
-  const std::int64_t row_every = request.every > 0 ? request.every : std::max<std::int64_t>(1, last / default_rows);
+  const std::int64_t row_every = steps_between_rows(request, last);
   print_notice(simulation.executor());
   Progress progress(progress_style(request.quiet), simulation.model_type().info.title, simulation.step_count(), last);
   if (output != nullptr) output->add_row();
@@ -167,7 +174,11 @@ void add_run_command(CLI::App& program, Action& action) {
   }
   command->add_option("--out", request->out,
                       "Folder for the files of the run (default: out, once files are asked for)");
-  command->add_option("--every", request->every, "Write the files every so many steps, not only at the end")
+  command
+      ->add_option(
+          "--every", request->every,
+          "Write the files, and the rows of the CSV, every so many steps; without it the files at the end and about "
+          "50 rows, at least 10 steps apart")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--format", request->formats,

@@ -1,4 +1,5 @@
 // `erg validate`: writes docs/validation.md, or prints it.
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <string>

@@ -16,7 +16,6 @@ constexpr Extent ripple_ground{256, 48};
 
 Config ripple_config(const std::string& strength_is, double strength, double bearing, int steps) {
   Config config("grains");
-  start_as_model(config);
   for (const std::string& assignment :
        {"grid.nx=" + std::to_string(ripple_ground.nx), "grid.ny=" + std::to_string(ripple_ground.ny),
         "parameters.strength_is=" + strength_is, "run.steps=" + std::to_string(steps)}) {

@@ -113,10 +113,23 @@ class ConfigReader {
       if (node == nullptr || (group.key == "parameters" && !model_known)) continue;
       read_group(*node, group.key, config().*group.values);
     }
-    if (const JsonNode* wind = find(root, "wind")) read_wind(*wind);
-    if (const JsonNode* temperature = find(root, "temperature")) read_temperature(*temperature);
+    if (const JsonNode* wind = find(root, "wind")) read_wind(*wind, !model_known || info().asks_snowfall);
+    if (const JsonNode* temperature = find(root, "temperature")) {
+      check_asked_for(*temperature, "temperature", !model_known || info().asks_temperature);
+      read_temperature(*temperature);
+    }
     check_picture(root, "scene", config().scene, reading_.image_line);
     check_picture(root, "parameters", config().parameters, reading_.model_image_line);
+  }
+
+  /// What the config's model declares; the default model's where none is named.
+  const ModelInfo& info() { return find_model(config().model).info; }
+
+  /// Reports a value of the weather that the model does not ask for.
+  void check_asked_for(const JsonNode& node, const std::string& key, bool asked) {
+    if (asked) return;
+    const Mistake mistake = not_asked_for(key, config().model);
+    mistakes().add(node.line, mistake.problem, mistake.remedy);
   }
 
   void read_version(const JsonNode::Object& root) {
@@ -203,7 +216,8 @@ class ConfigReader {
                    "add \"" + path->key + "\": \"picture.png\" beside it");
   }
 
-  void read_wind(const JsonNode& node) {
+  /// `snows`: whether seasons may have snowfall.
+  void read_wind(const JsonNode& node, bool snows) {
     const JsonNode::Object* wind = object(node, "wind");
     if (wind == nullptr) return;
     check_keys(*wind, {"bearing", "strength", "seasons"});
@@ -220,10 +234,10 @@ class ConfigReader {
       if (beside == nullptr) continue;
       mistakes().add(beside->line, in_quotes(key) + " stands beside \"seasons\"", "move it into each season");
     }
-    read_seasons(*seasons);
+    read_seasons(*seasons, snows);
   }
 
-  void read_seasons(const JsonNode& node) {
+  void read_seasons(const JsonNode& node, bool snows) {
     const JsonNode::Array* list = node.array();
     if (list == nullptr) {
       mistakes().add(node.line, "seasons is " + node.shown(), "expected a list of seasons, [{ ... }, { ... }]");
@@ -234,16 +248,17 @@ class ConfigReader {
       return;
     }
     config().wind.seasons.clear();
-    for (const JsonNode& entry : *list) config().wind.seasons.push_back(read_season(entry));
+    for (const JsonNode& entry : *list) config().wind.seasons.push_back(read_season(entry, snows));
   }
 
-  Season read_season(const JsonNode& node) {
-    Season season;
+  Season read_season(const JsonNode& node, bool snows) {
+    Season season = starting_wind(info().start).seasons.front();
     const JsonNode::Object* members = object(node, "a season");
     if (members == nullptr) return season;
     check_keys(*members, {"bearing", "strength", "first", "last", "steps", "curve", "snowfall"});
     read_bearing(*members, season);
     read_strengths(*members, season);
+    if (const JsonNode* snowfall = find(*members, "snowfall")) check_asked_for(*snowfall, "snowfall", snows);
     ParameterValues values({season_steps_parameter(), season_snowfall_parameter()});
     for (const Parameter& parameter : values.declared()) {
       const JsonNode* member = find(*members, parameter.key);
@@ -303,7 +318,7 @@ class ConfigReader {
   void read_strength(const JsonNode::Object& members, const std::string& key, double& strength) {
     const JsonNode* node = find(members, key);
     if (node == nullptr) return;
-    Parameter parameter = strength_parameter();
+    Parameter parameter = strength_parameter(info().start);
     parameter.key = key;
     ParameterValues values({parameter});
     if (const auto value = checked(parameter, *node)) values.set(key, *value);

@@ -1,4 +1,5 @@
 // The JSON Schema of configs, derived from the declarations.
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "io/config_file.h"
@@ -160,11 +161,31 @@ Json temperature_schema() {
   return schema;
 }
 
-/// Which parameters a config may have follows from its model.
+/// The defaults of a group that are another model's own.
+void add_own_defaults(Json& properties, const std::string& group, const Parameters& own, const Parameters& usual) {
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i].standard == usual[i].standard) continue;
+    properties[group]["properties"][own[i].key]["default"] = json_value(own[i], own[i].standard);
+  }
+}
+
+/// Which parameters a config may have, what of the weather, and where it starts follows from its model.
 Json model_rule(const ModelType& type) {
+  const ModelStart& start = type.info.start;
+  Json properties;
+  properties["parameters"]["$ref"] = "#/$defs/" + type.info.key;
+  add_own_defaults(properties, "grid", grid_parameters(start), grid_parameters());
+  add_own_defaults(properties, "scene", scene_parameters(start), scene_parameters());
+  if (start.strength != ModelStart{}.strength) {
+    properties["wind"]["properties"]["strength"]["default"] = json_value(start.strength);
+  }
+  if (!type.info.asks_temperature) properties["temperature"] = false;
+  if (!type.info.asks_snowfall) {
+    properties["wind"]["properties"]["seasons"]["items"]["properties"]["snowfall"] = false;
+  }
   Json rule;
   rule["if"]["properties"]["model"]["const"] = type.info.key;
-  rule["then"]["properties"]["parameters"]["$ref"] = "#/$defs/" + type.info.key;
+  rule["then"]["properties"] = std::move(properties);
   return rule;
 }
 

@@ -1,10 +1,12 @@
 // From a Config to the text of a file.
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "io/config_file.h"
 #include "io/json_print.h"
+#include "models/model.h"
 
 namespace erg {
 namespace {
@@ -32,7 +34,7 @@ void add_curve(Json& json, const BezierCurve& curve) {
   json["curve"] = Json::array({point_json(curve.first), point_json(curve.second)});
 }
 
-Json season_json(const Season& season) {
+Json season_json(const Season& season, bool snows) {
   Json json;
   json["bearing"] = json_value(season.bearing);
   if (season.first == season.last) {
@@ -42,7 +44,7 @@ Json season_json(const Season& season) {
     json["last"] = json_value(season.last);
   }
   json["steps"] = season.steps;
-  if (season.snowfall != 0) json["snowfall"] = json_value(season.snowfall);
+  if (snows && season.snowfall != 0) json["snowfall"] = json_value(season.snowfall);
   add_curve(json, season.curve);
   return json;
 }
@@ -56,7 +58,7 @@ Json temperature_json(const Temperature& temperature) {
   return json;
 }
 
-Json wind_json(const Regime& wind) {
+Json wind_json(const Regime& wind, bool snows) {
   const Season& only = wind.seasons.front();
   Json json;
   if (wind == Regime::constant(only.bearing, only.first)) {
@@ -65,13 +67,14 @@ Json wind_json(const Regime& wind) {
     return json;
   }
   json["seasons"] = Json::array();
-  for (const Season& season : wind.seasons) json["seasons"].push_back(season_json(season));
+  for (const Season& season : wind.seasons) json["seasons"].push_back(season_json(season, snows));
   return json;
 }
 
 }  // namespace
 
 std::string config_text(const Config& config) {
+  const ModelInfo& asking = find_model(config.model).info;  // a reader refuses what it does not ask for
   Json json;
   json["erg"] = config_version;
   if (!config.title.empty()) json["title"] = config.title;
@@ -79,8 +82,9 @@ std::string config_text(const Config& config) {
   json["model"] = config.model;
   for (const ConfigGroup& group : config_groups()) {
     if (group.key == "run") {
-      json["wind"] = wind_json(config.wind);
-      if (config.temperature != Temperature{}) json["temperature"] = temperature_json(config.temperature);
+      json["wind"] = wind_json(config.wind, asking.asks_snowfall);
+      if (asking.asks_temperature && config.temperature != Temperature{})
+        json["temperature"] = temperature_json(config.temperature);
     }
     Json values = group_json(group.key, config.*group.values);
     if (!values.empty()) json[group.key] = std::move(values);

@@ -1,7 +1,7 @@
 // JSON as people like to read it.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "core/parameters.h"

@@ -6,9 +6,9 @@
 // every slab is accounted for.
 #pragma once
 
-#include "models/model.h"
-
 namespace erg {
+
+struct ModelType;
 
 /// The catalogue entry.
 ModelType bishop();

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.h"
 #include "core/units.h"
 
 namespace erg {
 namespace {
 
-constexpr double karman = 0.4;
 constexpr double millimetre = 1e-3;
 
 double median_diameter(const ParameterValues& values) { return values.real("diameter") * millimetre; }
@@ -80,7 +80,7 @@ Parameters air_and_grain_parameters() {
       real_parameter(
           "air_viscosity", "Viscosity of the air", "kg/(m s)", 1.8e-5, 0, 1e-3,
           "Dynamic viscosity of the air: of the Reynolds number in the drag. 0: the drag coefficient alone."),
-      real_parameter("gravity", "Gravity", "m/s2", 9.81, 0.1, 100, "Weight of a kilogram; 3.71 on Mars."),
+      real_parameter("gravity", "Gravity", "m/s2", earth_gravity, 0.1, 100, "Weight of a kilogram; 3.71 on Mars."),
       real_parameter("roughness_ratio", "Diameter over roughness", "", 30, 1, 1000,
                      "The log profile starts at the median diameter divided by this.", "Bagnold 1941"),
       real_parameter("threshold_coefficient", "Threshold coefficient", "", 0.0123, 0, 1,

@@ -189,6 +189,7 @@ ModelType grains() {
            .painted = {plants_field}},
           grain_parameters(),
           grain_fields(),
+          60,  // the frozen ground, counts and sums of GrainBed, shelter behind plants
           [](const ParameterValues& values) { return std::make_unique<GrainModel>(values); },
           explain_grains};
 }

@@ -13,17 +13,11 @@
 #include "core/parameters.h"
 #include "core/random.h"
 #include "core/terrain.h"
+#include "models/model_start.h"
 #include "transport/executor.h"
 #include "wind/regime.h"
 
 namespace erg {
-
-/// Where a setup of a model begins when it is chosen, so that its forms come out of it.
-struct ModelStart {
-  double cell_size = 1;  ///< m
-  double strength = 5;   ///< of a constant wind
-  double sand = 3;       ///< mean thickness of the mobile layer, slabs a cell
-};
 
 /// What a model is, for people.
 struct ModelInfo {
@@ -35,7 +29,10 @@ struct ModelInfo {
   std::string step = {};               ///< what one time step means
   std::string strength_label = {};     ///< what the wind's strength is: "hop length, cells"
   Material material = Material::sand;  ///< what it moves
-  ModelStart start = {};
+  ModelStart start = {};               ///< the defaults of a config of this model
+  // What it asks for of the weather besides the wind. What it does not is not shown, and refused in a config.
+  bool asks_temperature = false;    ///< deg C over the run
+  bool asks_snowfall = false;       ///< of the wind's seasons, mm of snow an hour
   std::string steps_a_year = {};    ///< key of the parameter that holds how many steps are a year; "": there is none
   std::string seconds_a_step = {};  ///< key of the parameter that holds the real time of a step, s; "": there is none
   std::vector<std::string> painted = {};  ///< keys of the fields that people may paint
@@ -89,6 +86,9 @@ struct ModelType {
   ModelInfo info;
   Parameters parameters;
   std::vector<FieldInfo> fields;
+  /// Bytes a cell, at most, that a run keeps for this model besides terrain, fields and an executor's planes of slabs:
+  /// a cover, a machine of its own. A run's need of memory is reckoned from it (sim/memory.h).
+  std::uint64_t working_bytes;
   std::function<std::unique_ptr<Model>(const ParameterValues&)> make;
   /// What the values mean in slabs and cells, in words for people ("repose 33.7 deg: a step of 3 slabs stands").
   std::function<std::vector<std::string>(const ParameterValues&, double cell_size)> explain;

@@ -6,9 +6,9 @@
 // behind a crest is the 15 degree shadow.
 #pragma once
 
-#include "models/model.h"
-
 namespace erg {
+
+struct ModelType;
 
 /// The catalogue entry.
 ModelType momiji();

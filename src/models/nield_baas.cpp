@@ -10,10 +10,10 @@
 namespace erg {
 namespace {
 
-constexpr SlabFamily family{.repose_angle = 30, .slab_height = 0.1, .polling = "nonrepeated"};
+constexpr SlabFamily plant_family{.repose_angle = 30, .slab_height = 0.1, .polling = "nonrepeated"};
 
 Parameters nield_baas_parameters() {
-  Parameters parameters = slab_parameters(family);
+  Parameters parameters = slab_parameters(plant_family);
   parameters.push_back(real_parameter("vegetated_repose_angle", "Repose under plants", "deg", 40, 1, 80,
                                       "Angle of repose where plants hold the sand.", "Nield & Baas 2008"));
   parameters.push_back(real_parameter("repose_from", "Plants hold from", "", 0.3, 0.01, 1,
@@ -25,7 +25,7 @@ Parameters nield_baas_parameters() {
   return parameters;
 }
 
-std::vector<std::string> explain(const ParameterValues& values, double cell_size) {
+std::vector<std::string> explain_plants(const ParameterValues& values, double cell_size) {
   std::vector<std::string> lines = explain_slabs(values, cell_size);
   const int step =
       StandingSteps::of_angle(values.real("vegetated_repose_angle"), cell_size, values.real("slab_height")).straight;
@@ -38,7 +38,7 @@ std::vector<std::string> explain(const ParameterValues& values, double cell_size
 
 class NieldBaas : public SlabModel {
  public:
-  explicit NieldBaas(ParameterValues values) : SlabModel(family, std::move(values)) {}
+  explicit NieldBaas(ParameterValues values) : SlabModel(plant_family, std::move(values)) {}
 
   void prepare(const Beginning& beginning) override { beginning_ = beginning; }
 
@@ -84,8 +84,9 @@ ModelType nield_baas() {
            .painted = painted_plants()},
           nield_baas_parameters(),
           plant_fields(),
+          6,  // the cover, here and with the executor; where each species stood, while plants spread
           [](const ParameterValues& values) { return std::make_unique<NieldBaas>(values); },
-          explain};
+          explain_plants};
 }
 
 }  // namespace erg

@@ -6,9 +6,9 @@
 // would make plants repel sand; Baas 2002 has plus. Does not model: water, seasons of growth, roots, grazing.
 #pragma once
 
-#include "models/model.h"
-
 namespace erg {
+
+struct ModelType;
 
 /// The catalogue entry.
 ModelType nield_baas();

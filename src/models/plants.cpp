@@ -9,7 +9,7 @@ namespace erg {
 namespace {
 
 // Fields, in their order on the terrain.
-enum FieldNumber : std::size_t { vegetation, first_species, balance = first_species + 3, last_year };
+enum PlantField : std::size_t { vegetation, first_species, balance = first_species + 3, last_year };
 
 constexpr std::uint64_t before_the_first_step = std::numeric_limits<std::uint64_t>::max();
 enum PlantDraw : std::uint64_t { draw_scatter = 40, draw_lateral, draw_establishment };
@@ -212,22 +212,24 @@ const CoverField& Plants::cover(Terrain& terrain) {
   return cover_;
 }
 
-bool Plants::comes_up(const Grid<float>& before, std::size_t cell, std::size_t species, StepKey key) const {
-  if (!spreading_ || before[cell] > 0) return true;
+bool Plants::comes_up(const Grid<std::uint8_t>& stood, std::size_t cell, std::size_t species, StepKey key) const {
+  if (!spreading_ || stood[cell] != 0) return true;
   const std::uint64_t number = species << 8;
   if (random_unit(key, number, cell, draw_establishment) < establishment_chance_) return true;
-  const int x = static_cast<int>(cell % static_cast<std::size_t>(before.nx()));
-  const int y = static_cast<int>(cell / static_cast<std::size_t>(before.nx()));
-  const bool beside = before.wrapped(x - 1, y) > 0 || before.wrapped(x + 1, y) > 0 || before.wrapped(x, y - 1) > 0 ||
-                      before.wrapped(x, y + 1) > 0;
+  const int x = static_cast<int>(cell % static_cast<std::size_t>(stood.nx()));
+  const int y = static_cast<int>(cell / static_cast<std::size_t>(stood.nx()));
+  const bool beside = stood.wrapped(x - 1, y) != 0 || stood.wrapped(x + 1, y) != 0 || stood.wrapped(x, y - 1) != 0 ||
+                      stood.wrapped(x, y + 1) != 0;
   return beside && random_unit(key, number, cell, draw_lateral) < lateral_chance_;
 }
 
 bool Plants::grow(Terrain& terrain, StepKey key, Executor& executor) {
   std::vector<Field>& fields = terrain.edit_fields();
-  std::array<Grid<float>, species_count> before;
-  if (spreading_) {
-    for (std::size_t k = 0; k < species_count; ++k) before[k] = fields[first_species + k].values;
+  std::array<Grid<std::uint8_t>, species_count> stood;  // 1 where a species held sand before, while plants spread
+  for (std::size_t k = 0; spreading_ && k < species_count; ++k) {
+    stood[k] = Grid<std::uint8_t>(terrain.extent());
+    std::ranges::transform(fields[first_species + k].values.cells(), stood[k].cells().begin(),
+                           [](float rho) { return static_cast<std::uint8_t>(rho > 0); });
   }
   std::atomic<bool> alive{terrain.boundary() == Boundary::open && terrain.inflow() > 0};
   const Grid<std::int32_t>& mobile = terrain.mobile();
@@ -243,7 +245,7 @@ bool Plants::grow(Terrain& terrain, StepKey key, Executor& executor) {
         if (!species.grows) continue;
         float& rho = fields[first_species + k].values[cell];
         const double change = species.growth.at(gained);
-        if (change > 0 && !comes_up(spreading_ ? before[k] : fields[first_species + k].values, cell, k, key)) continue;
+        if (change > 0 && !comes_up(stood[k], cell, k, key)) continue;
         const float grown = std::clamp(static_cast<float>(rho + change), species.low, species.high);
         changes = changes || grown != rho;
         rho = grown;

@@ -52,8 +52,8 @@ class Plants {
   };
   /// The start of one cell as a share of the start values.
   float start_share(int x, int y, const Terrain& terrain, const Grid<float>* picture) const;
-  /// Whether plants may come up in a bare cell this year.
-  bool comes_up(const Grid<float>& before, std::size_t cell, std::size_t species, StepKey key) const;
+  /// Whether plants may come up in a bare cell this year; `stood`: where, with spreading, the species stood before.
+  bool comes_up(const Grid<std::uint8_t>& stood, std::size_t cell, std::size_t species, StepKey key) const;
   static float total(const Terrain& terrain, std::size_t cell);
 
   std::array<Species, species_count> species_;

@@ -106,6 +106,7 @@ ModelType slab_model_type(ModelInfo info, SlabFamily family) {
   return {std::move(info),
           slab_parameters(family),
           {},
+          0,
           [family](const ParameterValues& values) { return std::make_unique<SlabModel>(family, values); },
           explain_slabs};
 }

@@ -12,16 +12,16 @@
 namespace erg {
 namespace {
 
-constexpr SlabFamily family{};  // Werner's
+constexpr SlabFamily packing_family{};  // Werner's
 
 /// Fitted: snow at -20 deg C, Alta and tundra, is frozen after 98 days, as in print.
 constexpr double fitted_rate = 0.0247;
 constexpr double metamorphism = 0.04;  // 1/K, Anderson 1976
 
-enum FieldNumber : std::size_t { resistance, density };
+enum PackingField : std::size_t { resistance, density };
 
 Parameters snow_packing_parameters() {
-  Parameters parameters = slab_parameters(family);
+  Parameters parameters = slab_parameters(packing_family);
   parameters.push_back(choice_parameter("fresh_density", "Fresh density", "alta", {"alta", "hedstrom_pomeroy"},
                                         "How dense fresh snow is at a temperature.",
                                         "Anderson 1976; Hedstrom & Pomeroy 1998"));
@@ -77,7 +77,7 @@ int days_to_freeze(const ParameterValues& values, double temperature) {
   return 0;
 }
 
-std::vector<std::string> explain(const ParameterValues& values, double cell_size) {
+std::vector<std::string> explain_packing(const ParameterValues& values, double cell_size) {
   std::vector<std::string> lines = explain_slabs(values, cell_size);
   std::string days = "days to freeze:";
   for (const double temperature : {-20.0, -15.0, -10.0, -5.0, 0.0}) {
@@ -93,7 +93,7 @@ std::vector<std::string> explain(const ParameterValues& values, double cell_size
 
 class SnowPacking : public SlabModel {
  public:
-  explicit SnowPacking(ParameterValues values) : SlabModel(family, std::move(values)) {}
+  explicit SnowPacking(ParameterValues values) : SlabModel(packing_family, std::move(values)) {}
 
   void prepare(const Beginning& beginning) override { first_temperature_ = beginning.temperature; }
 
@@ -162,11 +162,13 @@ ModelType snow_packing() {
            .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
            .step = "a day; polls as many cells as the grid has",
            .strength_label = slab_strength,
-           .material = Material::snow},
+           .material = Material::snow,
+           .asks_temperature = true},
           snow_packing_parameters(),
           snow_packing_fields(),
+          5,  // the cover, here and with the executor, with room
           [](const ParameterValues& values) { return std::make_unique<SnowPacking>(values); },
-          explain};
+          explain_packing};
 }
 
 }  // namespace erg

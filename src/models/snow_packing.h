@@ -11,9 +11,9 @@
 // rate is fitted to the printed 98 days at -20 deg C. Does not model: melting, snowfall, layers, sunshine.
 #pragma once
 
-#include "models/model.h"
-
 namespace erg {
+
+struct ModelType;
 
 /// The catalogue entry.
 ModelType snow_packing();

@@ -6,15 +6,15 @@
 #include <limits>
 #include <utility>
 
+#include "core/constants.h"
 #include "core/units.h"
+#include "models/model.h"
 #include "transport/snow_step.h"
 #include "wind/shadow.h"
 
 namespace erg {
 namespace {
 
-constexpr double gravity = 9.81;  // m/s2
-constexpr double karman = 0.4;
 constexpr double wind_height = 10;  // m
 constexpr double seconds_per_hour = 3600;
 constexpr double loose_density = 250;  // kg/m3, of snow that the wind has packed
@@ -152,7 +152,7 @@ void fill(OctaveTable& table, const Function& function) {
   }
 }
 
-std::vector<std::string> explain(const ParameterValues& values, double cell_size) {
+std::vector<std::string> explain_sintering(const ParameterValues& values, double cell_size) {
   char time[120], loose_snow[160], hop[160];
   std::snprintf(time, sizeof time, "a step is %g s: an hour is %.0f steps", values.real("time_step"),
                 seconds_per_hour / values.real("time_step"));
@@ -225,7 +225,7 @@ void SnowSintering::prepare_law(const Terrain& terrain) {
   law_.rest_loose = real("rest_loose");
   law_.rest_hard = real("rest_hard");
   law_.rest_ground = real("rest_ground");
-  const double saltation = 0.68 * values_.real("air_density") / gravity / loose_density;
+  const double saltation = 0.68 * values_.real("air_density") / earth_gravity / loose_density;
   law_.lift_scale =
       static_cast<float>(saltation * values_.real("time_step") * values_.real("rest_loose") / (quantum() * cell_size));
   law_.standing = standing_step(values_.real("repose_angle"), cell_size, quantum());
@@ -291,11 +291,14 @@ ModelType snow_sintering() {
            .strength_label = "wind at 10 m, m/s",
            .material = Material::snow,
            .start = {.cell_size = 0.1, .strength = 11, .sand = 6},
+           .asks_temperature = true,
+           .asks_snowfall = true,
            .seconds_a_step = "time_step"},
           snow_sintering_parameters(),
           snow_sintering_fields(),
+          45,  // heights, weather and the strips of SnowMachine
           [](const ParameterValues& values) { return std::make_unique<SnowSintering>(values); },
-          explain};
+          explain_sintering};
 }
 
 }  // namespace erg

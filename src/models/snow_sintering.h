@@ -8,9 +8,9 @@
 // Does not model: melting, the air flow (speed-up is a function of smoothed heights), grains, suspension clouds.
 #pragma once
 
-#include "models/model.h"
-
 namespace erg {
+
+struct ModelType;
 
 /// The catalogue entry.
 ModelType snow_sintering();

@@ -7,9 +7,9 @@
 // grain by grain saltation, time in seconds.
 #pragma once
 
-#include "models/model.h"
-
 namespace erg {
+
+struct ModelType;
 
 /// The catalogue entry.
 ModelType werner();

@@ -36,6 +36,11 @@ class Assignment {
     if (key_ == "model") return set_model();
     if (key_ == "title") return void(config_.title = value_);
     if (key_ == "description") return void(config_.description = value_);
+    const bool of_temperature = key_ == "temperature" || key_.starts_with("temperature.");
+    if (of_temperature && !asks_temperature()) {
+      const Mistake mistake = not_asked_for("temperature", config_.model);
+      throw InputError(place_, mistake.problem, mistake.remedy);
+    }
     if (key_ == "temperature") return void(config_.temperature.first = config_.temperature.last = temperature());
     const std::vector<std::string> matches = full_keys_matching();
     if (matches.empty()) throw InputError(place_, "unknown key " + in_quotes(key_), suggestion(key_, possible_keys()));
@@ -47,9 +52,12 @@ class Assignment {
   }
 
  private:
+  bool asks_temperature() const { return find_model(config_.model).info.asks_temperature; }
+
   /// "grid.nx" ... of every value that can be set in a group.
   std::vector<std::string> full_keys() const {
-    std::vector<std::string> keys{"wind.bearing", "wind.strength", "temperature.first", "temperature.last"};
+    std::vector<std::string> keys{"wind.bearing", "wind.strength"};
+    if (asks_temperature()) keys.insert(keys.end(), {"temperature.first", "temperature.last"});
     for (const ConfigGroup& group : config_groups()) {
       for (const Parameter& parameter : (config_.*group.values).declared()) {
         keys.push_back(group.key + "." + parameter.key);
@@ -72,7 +80,8 @@ class Assignment {
     std::vector<std::string> keys = full_keys();
     if (key_.find('.') != std::string::npos) return keys;
     for (std::string& key : keys) key.erase(0, key.find('.') + 1);
-    keys.insert(keys.end(), {"model", "title", "description", "temperature"});
+    keys.insert(keys.end(), {"model", "title", "description"});
+    if (asks_temperature()) keys.emplace_back("temperature");
     return keys;
   }
 
@@ -119,8 +128,8 @@ class Assignment {
 
 }  // namespace
 
-Parameter strength_parameter() {
-  return real_parameter("strength", "Strength", "", Season{}.first, smallest_strength, largest_strength,
+Parameter strength_parameter(const ModelStart& start) {
+  return real_parameter("strength", "Strength", "", start.strength, smallest_strength, largest_strength,
                         "Strength of the wind: cells a hop for slab models, m/s for the others.");
 }
 
@@ -130,19 +139,19 @@ Parameter season_steps_parameter() {
 
 Parameter season_snowfall_parameter() {
   return real_parameter("snowfall", "Snowfall", "mm/h", Season{}.snowfall, 0, heaviest_snowfall,
-                        "Snow that falls during the season, as it lies; for snow models that let it fall.");
+                        "Snow that falls during the season, as it lies; for models that let it fall.");
 }
 
 Parameter temperature_parameter() {
   return real_parameter("temperature", "Temperature", "deg C", Temperature{}.first, lowest_temperature,
-                        highest_temperature, "Temperature of air and snow; for snow models.");
+                        highest_temperature, "Temperature of air and snow; for models that ask for it.");
 }
 
-Parameters grid_parameters() {
+Parameters grid_parameters(const ModelStart& start) {
   return all_at_start({
       integer_parameter("nx", "Cells east", "cells", 256, smallest_side, largest_side, "Grid width, west to east."),
       integer_parameter("ny", "Cells north", "cells", 256, smallest_side, largest_side, "Grid height, south to north."),
-      real_parameter("cell_size", "Cell size", "m", 1.0, 0.001, 1000.0, "Side of a cell."),
+      real_parameter("cell_size", "Cell size", "m", start.cell_size, 0.001, 1000.0, "Side of a cell."),
       choice_parameter("boundary", "Boundary", "torus", {"torus", "open"},
                        "torus: what leaves on one side enters on the other; open: it is counted and gone."),
       only_when(real_parameter("inflow", "Inflow", "slabs", 0.0, 0.0, 100.0,
@@ -151,13 +160,14 @@ Parameters grid_parameters() {
   });
 }
 
-Parameters scene_parameters() {
+Parameters scene_parameters(const ModelStart& start) {
   return all_at_start({
       choice_parameter(
           "kind", "Scene", "flat",
           {"flat", "random", "ripples", "transverse", "rocks", "uneven", "hump", "dune", "valley", "cone", "image"},
           "What lies on the grid before the first step."),
-      real_parameter("sand", "Sand", "slabs", 3.0, 0.0, 10000.0, "Mean thickness of the mobile layer in slabs a cell."),
+      real_parameter("sand", "Sand", "slabs", start.sand, 0.0, 10000.0,
+                     "Mean thickness of the mobile layer in slabs a cell."),
       only_when(real_parameter("height", "Height", "m", 4.0, 0.0, 10000.0,
                                "Height of the rocks, hump, dune or cone; from trough to crest of ripples, transverse "
                                "dunes, uneven ground and valley."),
@@ -204,14 +214,23 @@ Parameters run_parameters() {
   };
 }
 
+Mistake not_asked_for(const std::string& key, const std::string& model_key) {
+  return {"", in_quotes(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
+}
+
+Regime starting_wind(const ModelStart& start) { return Regime::constant(Season{}.bearing, start.strength); }
+
 Config::Config() : Config(default_model) {}
 
-Config::Config(const std::string& model_key)
-    : model(model_key),
-      grid(grid_parameters()),
-      scene(scene_parameters()),
+Config::Config(const std::string& model_key) : Config(find_model(model_key)) {}
+
+Config::Config(const ModelType& type)
+    : model(type.info.key),
+      grid(grid_parameters(type.info.start)),
+      scene(scene_parameters(type.info.start)),
       run(run_parameters()),
-      parameters(find_model(model_key).parameters) {}
+      parameters(type.parameters),
+      wind(starting_wind(type.info.start)) {}
 
 const std::vector<ConfigGroup>& config_groups() {
   static const std::vector<ConfigGroup> groups{
@@ -227,31 +246,30 @@ std::vector<std::string> model_keys() {
 
 namespace {
 
-/// Takes cells, wind and sand from one start to another where they stand at the first.
-void move_start(Config& config, const ModelStart& from, const ModelStart& to) {
-  if (config.grid.real("cell_size") == from.cell_size) config.grid.set("cell_size", to.cell_size);
-  if (config.scene.real("sand") == from.sand) config.scene.set("sand", to.sand);
-  Season& season = config.wind.seasons.front();
-  if (config.wind.seasons.size() == 1 && season.first == from.strength && season.last == from.strength) {
-    season.first = season.last = to.strength;
+/// Values under other declarations: those that were set stay where they are accepted, the others take the new defaults.
+void redeclare(ParameterValues& values, const Parameters& declared) {
+  ParameterValues anew(declared);
+  for (const Parameter& parameter : values.declared()) {
+    const Parameter* same = anew.find(parameter.key);
+    if (same == nullptr || values.is_default(parameter.key)) continue;
+    const ParameterValue& value = values.value(parameter.key);
+    if (!check_value(*same, value, "")) anew.set(parameter.key, value);
   }
+  values = std::move(anew);
 }
 
 }  // namespace
 
-void start_as_model(Config& config) { move_start(config, {}, find_model(config.model).info.start); }
-
 void change_model(Config& config, const std::string& model_key) {
-  ParameterValues values(find_model(model_key).parameters);
-  for (const Parameter& parameter : config.parameters.declared()) {
-    const Parameter* same = values.find(parameter.key);
-    if (same == nullptr || config.parameters.is_default(parameter.key)) continue;
-    const ParameterValue& value = config.parameters.value(parameter.key);
-    if (!check_value(*same, value, "")) values.set(parameter.key, value);
+  const Config from(config.model);
+  const Config to(model_key);
+  for (const ConfigGroup& group : config_groups()) redeclare(config.*group.values, (to.*group.values).declared());
+  Season& season = config.wind.seasons.front();
+  const Season& old_start = from.wind.seasons.front();
+  if (config.wind.seasons.size() == 1 && season.first == old_start.first && season.last == old_start.last) {
+    season.first = season.last = to.wind.seasons.front().first;
   }
-  move_start(config, find_model(config.model).info.start, find_model(model_key).info.start);
   config.model = model_key;
-  config.parameters = std::move(values);
 }
 
 void set_from_text(Config& config, const std::string& assignment) { Assignment(config, assignment).apply(); }

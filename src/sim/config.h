@@ -6,25 +6,33 @@
 
 #include "core/parameters.h"
 #include "core/terrain.h"
+#include "models/model_start.h"
 #include "wind/regime.h"
 #include "wind/temperature.h"
 
 namespace erg {
 
+struct ModelType;
+
 /// The version of the config format that this program writes; it reads this one.
 inline constexpr int config_version = 1;
 
-/// Declarations of the groups that are not a model's: their values stand under these keys in a config.
-Parameters grid_parameters();   ///< "grid": nx, ny, cell_size, boundary, inflow
-Parameters scene_parameters();  ///< "scene": kind and what each kind needs
-Parameters run_parameters();    ///< "run": steps, seed, executor, threads, sweeps
+/// Declarations of the groups that are not a model's: their values stand under these keys in a config. Cell size and
+/// sand have the defaults of the model that the config is of.
+Parameters grid_parameters(const ModelStart& start = {});   ///< "grid": nx, ny, cell_size, boundary, inflow
+Parameters scene_parameters(const ModelStart& start = {});  ///< "scene": kind and what each kind needs
+Parameters run_parameters();                                ///< "run": steps, seed, executor, threads, sweeps
 
-/// Declarations of what a season of the wind holds besides its bearing and curve.
-Parameter strength_parameter();
+/// Declarations of what a season of the wind holds besides its bearing and curve; the strength's default is the
+/// model's.
+Parameter strength_parameter(const ModelStart& start = {});
 Parameter season_steps_parameter();
 Parameter season_snowfall_parameter();
 /// Declaration of a temperature at either end of a run.
 Parameter temperature_parameter();
+
+/// The wind that a config has where it says nothing: one that never changes.
+Regime starting_wind(const ModelStart& start);
 
 /// One run, whole.
 struct Config {
@@ -32,6 +40,7 @@ struct Config {
   Config();
   /// The same for a model of the catalogue; throws InputError for an unknown key.
   explicit Config(const std::string& model_key);
+  explicit Config(const ModelType& type);
 
   std::string title;
   std::string description;
@@ -41,10 +50,13 @@ struct Config {
   ParameterValues run;
   ParameterValues parameters;  ///< the model's own
   Regime wind;
-  Temperature temperature;  ///< for snow models
+  Temperature temperature;  ///< for models that ask for it
 
   bool operator==(const Config&) const = default;
 };
+
+/// What is said against a value of the weather that this model does not ask for (ModelInfo).
+Mistake not_asked_for(const std::string& key, const std::string& model_key);
 
 /// The names of the parameter groups in a config, in the order of a file: grid, scene, parameters, run.
 struct ConfigGroup {
@@ -54,11 +66,9 @@ struct ConfigGroup {
 const std::vector<ConfigGroup>& config_groups();
 
 /// Changes the model. Values that were set (are not at their default) stay where the new model has the same parameter
-/// and accepts them; all others take the new model's defaults. Cells, wind and sand that stand where the old model
-/// starts go to where the new one does (ModelStart). Throws InputError for an unknown key.
+/// and accepts them; all others take the new model's defaults. So does a single season's strength where it is the old
+/// model's default. Throws InputError for an unknown key.
 void change_model(Config& config, const std::string& model_key);
-/// Cells, wind and sand as the model starts with them.
-void start_as_model(Config& config);
 
 /// The keys of all models, in the catalogue's order.
 std::vector<std::string> model_keys();

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <new>
 
 #include "models/model.h"
@@ -29,15 +28,6 @@ struct Size {
 
 Size size_of(const Config& config) { return {config.grid.integer("nx"), config.grid.integer("ny")}; }
 
-/// Bytes a cell that a model keeps for itself besides its fields; a model that is not here keeps none. Counted from
-/// what it allocates, with a little room.
-std::uint64_t model_bytes_a_cell(const std::string& model) {
-  static const std::map<std::string, std::uint64_t> bytes{
-      {"nield_baas", 6}, {"snow_packing", 5}, {"snow_sintering", 45}, {"grains", 60}};
-  const auto known = bytes.find(model);
-  return known == bytes.end() ? 0 : known->second;
-}
-
 std::uint64_t terrain_bytes_a_cell(const Config& config) {
   return 2 * sizeof(std::int32_t) + find_model(config.model).fields.size() * sizeof(float);
 }
@@ -46,7 +36,7 @@ std::uint64_t terrain_bytes_a_cell(const Config& config) {
 /// `serial` an order of cells.
 std::uint64_t working_bytes_a_cell(const Config& config) {
   const std::uint64_t executor = config.run.text("executor") == "serial" ? 6 : 3;
-  return executor + model_bytes_a_cell(config.model);
+  return executor + find_model(config.model).working_bytes;
 }
 
 /// Bytes of all runs and copies together for each cell.

@@ -50,7 +50,8 @@ std::vector<SetupDifference> Comparison::differences() const {
     if (!all_same(difference.values)) found.push_back(std::move(difference));
   };
   add("model", "Model", [](const Setup& setup) { return setup.model().info.title; });
-  add("temperature", "Temperature", [](const Setup& setup) {
+  add("temperature", "Temperature", [](const Setup& setup) -> std::string {
+    if (!setup.model().info.asks_temperature) return "-";
     const Temperature& temperature = setup.config().temperature;
     return value_text(temperature.first) + " to " + value_text(temperature.last) + " deg C";
   });
@@ -65,6 +66,10 @@ std::vector<SetupDifference> Comparison::differences() const {
     }
   }
   return found;
+}
+
+bool Comparison::asks_snowfall() const {
+  return std::ranges::any_of(setups_, [](const Setup& setup) { return setup.model().info.asks_snowfall; });
 }
 
 Config Comparison::with_wind(Config config) const {

@@ -107,7 +107,6 @@ void Setup::reset(const std::string& group, const std::string& key) {
 
 void Setup::reset_all() {
   Config fresh(config_.model);
-  start_as_model(fresh);
   fresh.title = config_.title;
   fresh.description = config_.description;
   config_ = std::move(fresh);

@@ -64,7 +64,7 @@ class Setup {
   void set_title(std::string title) { config_.title = std::move(title); }
 
   /// The wind under edit.
-  WindEditor wind() { return WindEditor(config_.wind); }
+  WindEditor wind() { return WindEditor(config_.wind, starting_wind(model().info.start)); }
 
   /// The temperature over the run (only snow models ask for it): first and last, deg C, and the curve between them, for
   /// `run.steps` steps. Each says what is wrong, and then nothing has changed.

@@ -105,6 +105,7 @@ void Studio::take_over_creation() {
   if (creation_awaited_ == 0 || snapshot_->commands_done < creation_awaited_) return;
   const bool made = snapshot_->failed_creation != creation_awaited_;
   creation_awaited_ = 0;
+  creation_failed_ = creation_failed_ || !made;
   if (before_opening_ && !made) {
     comparison_ = std::move(before_opening_->comparison);
     active_ = before_opening_->active;

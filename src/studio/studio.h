@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "studio/comparison.h"
@@ -60,6 +61,10 @@ class Studio {
   bool create();
   /// Whether CREATE would change what runs (it lights up), or nothing runs yet.
   bool create_needed() const;
+
+  /// Whether terrains that were asked for (created, opened, recovered) could not be made after all, since this was last
+  /// asked; the log says why.
+  bool take_failed_creation() { return std::exchange(creation_failed_, false); }
 
   /// Opens a config (or a checkpoint) and creates it. A file with mistakes is refused: every mistake goes to the log
   /// with its line, and what was open stays. So does it when the terrain cannot be made; that shows at a later tick.
@@ -136,6 +141,7 @@ class Studio {
   std::optional<Before> before_opening_;
   std::optional<LostSession> recovering_;  // until its runs are made
   bool play_when_made_ = false;
+  bool creation_failed_ = false;
   std::unique_ptr<Runner> runner_;
   std::shared_ptr<const Snapshot> snapshot_;
   std::unique_ptr<Session> session_;

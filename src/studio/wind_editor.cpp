@@ -31,7 +31,7 @@ std::size_t WindEditor::duplicate(std::size_t index) {
 }
 
 std::size_t WindEditor::add() {
-  regime_->seasons.emplace_back();
+  regime_->seasons.push_back(standard());
   return regime_->seasons.size() - 1;
 }
 
@@ -49,7 +49,7 @@ bool WindEditor::move_up(std::size_t index) {
 
 bool WindEditor::move_down(std::size_t index) { return index + 1 < seasons() && move_up(index + 1); }
 
-void WindEditor::reset() { *regime_ = Regime{}; }
+void WindEditor::reset() { *regime_ = standard_; }
 
 std::optional<Mistake> WindEditor::set_bearing(std::size_t index, double degrees) {
   if (!(std::abs(degrees) <= largest_bearing)) {

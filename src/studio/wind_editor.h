@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/errors.h"
@@ -19,11 +20,14 @@ std::optional<Mistake> check_curve(const BezierCurve& curve, const std::string& 
 /// Edits a regime where it stands. There is always at least one season; values outside their range are refused.
 class WindEditor {
  public:
-  explicit WindEditor(Regime& regime) : regime_(&regime) {}
+  /// `standard`: the wind that it goes back to, of one season.
+  explicit WindEditor(Regime& regime, Regime standard = {}) : regime_(&regime), standard_(std::move(standard)) {}
 
   const Regime& regime() const { return *regime_; }
   std::size_t seasons() const { return regime_->seasons.size(); }
   const Season& season(std::size_t index) const { return regime_->seasons.at(index); }
+  /// A season at its defaults.
+  const Season& standard() const { return standard_.seasons.front(); }
 
   /// A copy of the season right behind it; returns the copy's index.
   std::size_t duplicate(std::size_t index);
@@ -51,6 +55,7 @@ class WindEditor {
 
  private:
   Regime* regime_;
+  Regime standard_;
 };
 
 }  // namespace erg

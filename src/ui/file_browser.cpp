@@ -143,7 +143,7 @@ void FileBrowser::draw_name_line() {
                                                 &name_, ImGuiInputTextFlags_EnterReturnsTrue);
   mark("name");
   ImGui::SameLine();
-  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  const float half = share_of_width(2);
   cancelled_ = button("CANCEL", {.size = {half, 0}}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   ImGui::SameLine();
   const bool pressed = button(task_.action.c_str(), {.unavailable = name_.empty() ? "Choose or type a file first." : "",

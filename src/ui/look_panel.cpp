@@ -175,8 +175,7 @@ void LookPanel::draw_sun() {
 }
 
 void LookPanel::draw_camera() {
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float wide = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  const float wide = share_of_width(3);
   int column = 0;
   for (const OfferedView& view : offered_views) {
     if (column++ % 3 != 0) ImGui::SameLine();
@@ -196,7 +195,7 @@ void LookPanel::keep_view(Log& log) {
 
 void LookPanel::draw_bookmarks(Desk& desk) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float third = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  const float third = share_of_width(3);
   ImGui::SetNextItemWidth(2 * third + gap);
   ImGui::InputTextWithHint("##view name", ("name it, or " + bookmarks_.free_name()).c_str(), &view_name_);
   mark("view name");

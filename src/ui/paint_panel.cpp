@@ -20,12 +20,6 @@ bool choice(const std::string& label, bool chosen, float width, const std::strin
   return button(label.c_str(), {.tooltip = hint, .look = look, .size = {width, 0}});
 }
 
-// Pixels of one of so many buttons beside each other.
-float share_of_width(int count) {
-  const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x;
-  return (ImGui::GetContentRegionAvail().x - gaps) / static_cast<float>(count);
-}
-
 std::string capitals(std::string text) {
   std::ranges::transform(text, text.begin(), [](unsigned char letter) { return std::toupper(letter); });
   return text;

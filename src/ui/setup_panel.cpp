@@ -64,7 +64,7 @@ void SetupPanel::draw_buttons(Desk& desk, const Config* running) {
   Studio& studio = desk.studio;
   const std::vector<Mistake> mistakes = studio.setup().mistakes();
   const bool needed = studio.create_needed();
-  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  const float half = share_of_width(2);
   if (button("CREATE", {.tooltip = waiting_for_create(studio.setup(), running),
                         .unavailable = mistakes.empty() ? "" : "Something stands against it; see below.",
                         .look = needed ? ButtonLook::accent : ButtonLook::plain,

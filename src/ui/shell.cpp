@@ -110,6 +110,7 @@ std::string Shell::why_nothing_to_save() const {
 }
 
 void Shell::draw() {
+  if (studio_.take_failed_creation()) open(panel_title::log);
   press_keys(actions_);
   draw_menu_bar();
   const ImVec2 whole = ImGui::GetIO().DisplaySize;

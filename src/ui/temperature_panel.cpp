@@ -1,4 +1,4 @@
-// TEMPERATURE: over the run, for models of snow.
+// TEMPERATURE: over the run, for models that ask for it.
 #include <algorithm>
 
 #include "studio/studio.h"
@@ -13,7 +13,7 @@ class TemperaturePanel final : public Panel {
  public:
   const char* title() const override { return panel_title::temperature; }
   Dock dock() const override { return Dock::left; }
-  bool wanted(const Desk& desk) const override { return desk.studio.setup().material() == Material::snow; }
+  bool wanted(const Desk& desk) const override { return desk.studio.setup().model().info.asks_temperature; }
   void draw(Desk& desk) override;
 
  private:

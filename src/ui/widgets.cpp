@@ -224,6 +224,11 @@ bool button(const char* label, const ButtonInfo& info) {
   return pressed;
 }
 
+float share_of_width(int count) {
+  const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x;
+  return (ImGui::GetContentRegionAvail().x - gaps) / static_cast<float>(count);
+}
+
 RowEvent real_row(const Row& row, double& value, double minimum, double maximum) {
   begin_row(row);
   const TypingOnDoubleClick typing;

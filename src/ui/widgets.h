@@ -59,6 +59,8 @@ struct ButtonInfo {
 };
 /// A button; `label` may hold an ImGui id after "##".
 bool button(const char* label, const ButtonInfo& info = {});
+/// The width of one of so many buttons that share the rest of a line, pixels.
+float share_of_width(int count);
 
 /// What a row of a panel says about its value. A row is: label, entry with unit, dot when changed that resets it.
 struct Row {

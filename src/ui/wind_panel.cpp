@@ -62,7 +62,7 @@ class WindPanel final : public Panel {
 
 void WindPanel::draw_kind(WindEditor wind) {
   const bool seasons = shows_seasons(wind);
-  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  const float half = share_of_width(2);
   if (button("CONSTANT", {.tooltip = "One bearing and one strength for ever. Seasons are kept for later.",
                           .look = seasons ? ButtonLook::plain : ButtonLook::accent,
                           .size = {half, 0}}) &&
@@ -158,13 +158,12 @@ void WindPanel::draw_strengths(WindEditor wind, const std::string& strength_labe
   const bool seasons = shows_seasons(wind);
   const std::string range = "\nrange: " + figure_text(smallest_strength) + " to " + figure_text(largest_strength);
   const auto row = [&](const char* label, const std::string& meaning, double value) {
-    const Season standard;
-    return Row{.label = label, .tooltip = meaning + range, .changed = value != standard.first};
+    return Row{.label = label, .tooltip = meaning + range, .changed = value != wind.standard().first};
   };
   double first = season.first;
   const RowEvent event = real_row(row(seasons ? "first strength" : "strength", strength_label, first), first,
                                   smallest_strength, largest_strength);
-  if (event == RowEvent::reset) first = Season{}.first;
+  if (event == RowEvent::reset) first = wind.standard().first;
   if (event != RowEvent::none) {
     wind.set_first(selected_, first);
     if (!seasons) wind.set_last(selected_, first);
@@ -173,7 +172,7 @@ void WindPanel::draw_strengths(WindEditor wind, const std::string& strength_labe
   double last = season.last;
   const RowEvent last_event = real_row(row("last strength", strength_label + " at the end of the season", last), last,
                                        smallest_strength, largest_strength);
-  if (last_event == RowEvent::reset) last = Season{}.last;
+  if (last_event == RowEvent::reset) last = wind.standard().last;
   if (last_event != RowEvent::none) wind.set_last(selected_, last);
   std::int64_t steps = season.steps;
   const Parameter declared = season_steps_parameter();
@@ -276,7 +275,7 @@ void WindPanel::draw(Desk& desk) {
   }
   draw_bearing(wind);
   draw_strengths(wind, strength_label);
-  if (studio.setup().material() == Material::snow) draw_snowfall(wind);
+  if (studio.comparison().asks_snowfall()) draw_snowfall(wind);
   if (shows_seasons(wind)) {
     draw_curve(wind, studio, strength_label);
     if (section("The whole cycle")) draw_cycle(wind, studio.now().step(), strength_label);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "program.h"
 
@@ -144,6 +145,28 @@ TEST(Run, WritesEveryFormat) {
   for (const char* row : {"\nstep,", "\n0,", "\n10,", "\n20,"}) {
     EXPECT_NE(table.find(row), std::string::npos) << row << "\n" << table;
   }
+}
+
+// The steps that the rows of a table are of.
+std::vector<std::string> steps_of_rows(const std::string& table) {
+  std::vector<std::string> steps;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line.front() >= '0' && line.front() <= '9') steps.push_back(line.substr(0, line.find(',')));
+  }
+  return steps;
+}
+
+// A row measures more than a step does, so a short run has few.
+TEST(Run, RowsOfTheTableStandTenStepsApartUnlessAskedOtherwise) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(25));
+  using Steps = std::vector<std::string>;
+  ASSERT_EQ(run_erg(folder, {"run", config, "--out", "out", "--format", "csv", "--quiet"}).exit_code, 0);
+  EXPECT_EQ(steps_of_rows(read_bytes(folder.file("out/small.csv"))), (Steps{"0", "10", "20", "25"}));
+  ASSERT_EQ(run_erg(folder, {"run", config, "--out", "two", "--format", "csv", "--every", "8", "--quiet"}).exit_code,
+            0);
+  EXPECT_EQ(steps_of_rows(read_bytes(folder.file("two/small.csv"))), (Steps{"0", "8", "16", "24", "25"}));
 }
 
 TEST(Run, WritesTheMeshesAskedForAndNothingElse) {

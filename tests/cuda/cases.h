@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -11,17 +12,25 @@
 
 namespace erg::test {
 
+/// Height of the rocks in slabs' cases.
+constexpr std::int32_t slab_rocks = 15;
+
 struct Case {
   std::string name;
   World world;
-  bool rocks = false;
+  std::int32_t rocks = 0;  ///< height, slabs; 0: none
   int steps = 4;
   int sweeps = 16;
+  std::vector<WindNow> winds = {};  ///< of the steps, in turn; empty: the world's
 
   ExecutorOptions options() const { return {.name = "cpu", .threads = 2, .sweeps = sweeps, .lines_a_thread = 1}; }
+  WindNow wind(int step) const {
+    return winds.empty() ? world.model_wind() : winds[static_cast<std::size_t>(step) % winds.size()];
+  }
 };
 
-inline std::vector<Case> cases() {
+/// Those of models that move slabs.
+inline std::vector<Case> slab_cases() {
   std::vector<Case> all;
   const std::string nonrepeated = "nonrepeated";
   const std::string eight = "8";
@@ -33,13 +42,13 @@ inline std::vector<Case> cases() {
                    {.model = key, .extent = {45, 70}, .wind = {180, 3}, .settings = {{"neighbours", eight}}}});
     all.push_back({key + ", oblique",
                    {.model = key, .extent = {70, 101}, .wind = {237, 4.5}, .settings = {{"neighbours", eight}}}});
-    all.push_back({key + ", rocks", {.model = key, .extent = {67, 41}, .wind = {250, 6}}, true});
+    all.push_back({key + ", rocks", {.model = key, .extent = {67, 41}, .wind = {250, 6}}, slab_rocks});
     all.push_back({key + ", rocks, open",
                    {.model = key, .extent = {40, 67}, .boundary = Boundary::open, .inflow = 3, .wind = {20, 9}},
-                   true});
+                   slab_rocks});
     all.push_back({key + ", nonrepeated",
                    {.model = key, .extent = {37, 66}, .wind = {20, 5}, .settings = {{"polling", nonrepeated}}},
-                   false,
+                   0,
                    4,
                    4});
     all.push_back({key + ", open",
@@ -51,12 +60,12 @@ inline std::vector<Case> cases() {
                     .settings = {{"neighbours", eight}}}});
     all.push_back({key + ", forced",
                    {.model = key, .extent = {32, 32}, .settings = {{"forced_erosion", true}}, .sand = 1},
-                   false,
+                   0,
                    2});
     all.push_back(
         {key + ", hardly stays",
          {.model = key, .extent = {33, 20}, .wind = {240, 1}, .settings = {{"p_sand", 0.01}, {"p_bare", 0.01}}},
-         true,
+         slab_rocks,
          2});
   }
   all.push_back({"one row", {.extent = {40, 1}, .wind = {230, 3}}});
@@ -64,7 +73,7 @@ inline std::vector<Case> cases() {
   all.push_back({"two by two", {.extent = {2, 2}, .wind = {200, 3}, .settings = {{"neighbours", eight}}, .sand = 9}});
   const World wide{.model = "momiji", .extent = {290, 70}, .settings = {{"neighbours", eight}}};
   for (const double bearing : {10.0, 35.0, 140.0, 225.0}) {  // blocks side by side, skewed where the wind is oblique
-    Case scene{"two blocks, bearing " + std::to_string(bearing), wide, bearing == 35, 1, 8};
+    Case scene{"two blocks, bearing " + std::to_string(bearing), wide, bearing == 35 ? slab_rocks : 0, 1, 8};
     scene.world.wind = {bearing, 5};
     if (bearing != 10) std::swap(scene.world.extent.nx, scene.world.extent.ny);
     if (bearing == 140) scene.world.extent = {290, 291};
@@ -75,7 +84,7 @@ inline std::vector<Case> cases() {
 
 inline Terrain ground(const Case& scene) {
   Terrain terrain = scene.world.strewn();
-  if (scene.rocks) raise_rocks(terrain, 15);
+  if (scene.rocks > 0) raise_rocks(terrain, scene.rocks);
   return terrain;
 }
 
@@ -87,22 +96,51 @@ inline void expect_same(const StepReport& ours, const StepReport& theirs, const 
   EXPECT_EQ(ours.slabs_out, theirs.slabs_out) << what;
 }
 
-/// Terrain, ledger and reports of a run on `executor` are those of a run on `cpu`.
+/// All that a run leaves.
+struct CaseEnd {
+  Terrain terrain;
+  StepReport report;
+  Grid<std::int32_t> lifts;
+  std::vector<Reading> readings;
+};
+
+inline CaseEnd run_on(Executor& executor, const Case& scene) {
+  CaseEnd ending{ground(scene), {}, Grid<std::int32_t>(scene.world.extent), {}};
+  const auto model = find_model(scene.world.model).make(scene.world.values());
+  model->prepare({.seed = scene.world.seed});
+  model->begin(ending.terrain);
+  executor.count_lifts(&ending.lifts);
+  for (int step = 0; step < scene.steps; ++step) {
+    const StepKey key{scene.world.seed, static_cast<std::uint64_t>(step)};
+    ending.report += model->step(ending.terrain, scene.wind(step), key, executor);
+  }
+  executor.settle(ending.terrain);
+  executor.count_lifts(nullptr);
+  ending.readings = model->readings();
+  const auto lifts = ending.lifts.cells();
+  EXPECT_EQ(std::accumulate(lifts.begin(), lifts.end(), std::int64_t{0}), ending.report.lifts) << scene.name;
+  EXPECT_EQ(ending.terrain.total_mobile(), ending.terrain.ledger().expected()) << scene.name;
+  return ending;
+}
+
+/// Terrain with its fields, ledger, lifts, reports and readings of a run on `executor` are those of a run on `cpu`.
 inline void expect_same_as_threads(const Case& scene, CudaExecutor& executor) {
-  Terrain terrain = ground(scene);
-  Grid<std::int32_t> their_lifts(terrain.extent());
-  const auto threads = make_executor(scene.options());
-  threads->count_lifts(&their_lifts);
-  const StepReport theirs = scene.world.run(terrain, *threads, scene.steps);
-  Terrain on_device = ground(scene);
-  Grid<std::int32_t> our_lifts(terrain.extent());
-  executor.count_lifts(&our_lifts);
-  const StepReport ours = scene.world.run(on_device, executor, scene.steps);
+  const CaseEnd theirs = run_on(*make_executor(scene.options()), scene);
+  const CaseEnd ours = run_on(executor, scene);
   EXPECT_EQ(executor.name(), "cuda") << executor.take_notice();
-  EXPECT_EQ(state_hash(on_device), state_hash(terrain)) << scene.name;
-  EXPECT_EQ(on_device.ledger(), terrain.ledger()) << scene.name;
-  EXPECT_TRUE(our_lifts == their_lifts) << scene.name;
-  expect_same(ours, theirs, scene.name);
+  EXPECT_NE(state_hash(theirs.terrain), state_hash(ground(scene))) << scene.name;
+  EXPECT_TRUE(ours.terrain.mobile() == theirs.terrain.mobile()) << scene.name;
+  for (std::size_t k = 0; k < theirs.terrain.fields().size(); ++k) {
+    const Field& field = theirs.terrain.fields()[k];
+    EXPECT_TRUE(ours.terrain.fields()[k].values == field.values) << scene.name << ", " << field.info.key;
+  }
+  EXPECT_EQ(state_hash(ours.terrain), state_hash(theirs.terrain)) << scene.name;
+  EXPECT_EQ(ours.terrain.ledger(), theirs.terrain.ledger()) << scene.name;
+  EXPECT_TRUE(ours.lifts == theirs.lifts) << scene.name;
+  expect_same(ours.report, theirs.report, scene.name);
+  for (std::size_t k = 0; k < theirs.readings.size(); ++k) {
+    EXPECT_EQ(ours.readings[k].value, theirs.readings[k].value) << scene.name << ", " << theirs.readings[k].key;
+  }
 }
 
 }  // namespace erg::test

@@ -19,7 +19,7 @@ class CudaDevice : public testing::Test {
 };
 
 TEST_F(CudaDevice, GivesTheSameBitsAsThreads) {
-  for (const Case& scene : cases()) {
+  for (const Case& scene : slab_cases()) {
     CudaExecutor executor(scene.options(), cuda_calls());
     expect_same_as_threads(scene, executor);
   }
@@ -29,8 +29,7 @@ TEST_F(CudaDevice, GivesTheSameBitsOnDevelopedDunes) {
   for (const ModelType& model : catalogue()) {
     if (!World{.model = model.info.key}.moves_slabs()) continue;
     for (const double bearing : {270.0, 240.0, 225.0}) {
-      const Case scene{
-          model.info.key, {.model = model.info.key, .extent = {700, 520}, .wind = {bearing, 5}}, false, 60};
+      const Case scene{model.info.key, {.model = model.info.key, .extent = {700, 520}, .wind = {bearing, 5}}, 0, 60};
       CudaExecutor executor(scene.options(), cuda_calls());
       expect_same_as_threads(scene, executor);
     }
@@ -38,26 +37,26 @@ TEST_F(CudaDevice, GivesTheSameBitsOnDevelopedDunes) {
 }
 
 TEST_F(CudaDevice, GivesTheSameBitsForGrains) {
-  std::vector<GrainCase> scenes = grain_cases();
+  std::vector<Case> scenes = grain_cases();
   scenes.push_back({"large", {.model = "grains", .extent = {517, 390}, .wind = {240, 7}, .sand = 40}, 1000, 8});
-  for (const GrainCase& scene : scenes) {
-    CudaExecutor executor({.name = "cuda", .threads = 2}, cuda_calls());
+  for (const Case& scene : scenes) {
+    CudaExecutor executor(scene.options(), cuda_calls());
     expect_same_as_threads(scene, executor);
   }
 }
 
 TEST_F(CudaDevice, GivesTheSameBitsForSnow) {
-  std::vector<SnowCase> scenes = snow_cases();
+  std::vector<Case> scenes = snow_cases();
   for (const double bearing : {270.0, 240.0}) {
-    SnowCase large = scenes.front();
+    Case large = scenes.front();
     large.name = "large, bearing " + std::to_string(bearing);
     large.world.extent = {700, 520};
-    large.world.wind.bearing = bearing;
+    for (WindNow& wind : large.winds) wind.bearing = bearing;
     large.rocks = 60;
     large.steps = 40;
     scenes.push_back(large);
   }
-  for (const SnowCase& scene : scenes) {
+  for (const Case& scene : scenes) {
     CudaExecutor executor(scene.options(), cuda_calls());
     expect_same_as_threads(scene, executor);
   }

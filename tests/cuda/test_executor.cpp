@@ -4,112 +4,40 @@
 #include <algorithm>
 #include <list>
 
-#include "../laws/world.h"
-#include "cuda/cuda_executor.h"
-#include "emulated_calls.h"
+#include "stories.h"
 
 namespace erg::test {
 namespace {
 
-const ExecutorOptions two_sweeps{.name = "cpu", .threads = 1, .sweeps = 2};
-
 World small_world() { return {.model = "bishop", .extent = {12, 9}, .boundary = Boundary::open, .inflow = 2}; }
 
 /// Two winds, a cover that grows, the terrain looked at in between: everything that the host code does.
-struct Story {
-  World world = small_world();
-  int steps = 6;
-  int looks_every = 4;
-  int wind_turns_at = 3;
-
-  std::uint64_t hash_on(Executor& executor, std::vector<std::string>& notices, MassLedger& ledger,
-                        Grid<std::int32_t>& lifts) const {
-    lifts = Grid<std::int32_t>(world.extent);
-    executor.count_lifts(&lifts);
-    Terrain terrain = world.strewn();
-    raise_rocks(terrain, 5);
-    const auto made = find_model(world.model).make(world.values());
-    CoverField cover(world.extent);
-    for (int step = 0; step < steps; ++step) {
-      SlabLaw law = dynamic_cast<const SlabModel&>(*made).law(terrain);
-      std::fill(cover.cells().begin(), cover.cells().end(), static_cast<std::uint8_t>(20 * (step / 2)));
-      law.cover = &cover;
-      law.cover_revision = static_cast<std::uint64_t>(step / 2);
-      const WindNow wind{step < wind_turns_at ? 270.0 : 10.0, 3};
-      executor.step(terrain, law, wind, {world.seed, static_cast<std::uint64_t>(step)});
-      if ((step + 1) % looks_every == 0) executor.settle(terrain);
-      if (const std::string notice = executor.take_notice(); !notice.empty()) notices.push_back(notice);
-    }
-    executor.settle(terrain);
-    if (const std::string notice = executor.take_notice(); !notice.empty()) notices.push_back(notice);
-    ledger = terrain.ledger();
-    EXPECT_EQ(terrain.total_mobile(), ledger.expected());
-    return state_hash(terrain);
+StoryEnd slab_story(Executor& executor) {
+  const World world = small_world();
+  StoryEnd end;
+  end.lifts = Grid<std::int32_t>(world.extent);
+  executor.count_lifts(&end.lifts);
+  Terrain terrain = world.strewn();
+  raise_rocks(terrain, 5);
+  const auto made = find_model(world.model).make(world.values());
+  CoverField cover(world.extent);
+  for (int step = 0; step < 6; ++step) {
+    SlabLaw law = dynamic_cast<const SlabModel&>(*made).law(terrain);
+    std::fill(cover.cells().begin(), cover.cells().end(), static_cast<std::uint8_t>(20 * (step / 2)));
+    law.cover = &cover;
+    law.cover_revision = static_cast<std::uint64_t>(step / 2);
+    const WindNow wind{step < 3 ? 270.0 : 10.0, 3};
+    executor.step(terrain, law, wind, {world.seed, static_cast<std::uint64_t>(step)});
+    if (step == 3) executor.settle(terrain);
+    end.hear(executor);
   }
-};
-
-struct Ending {
-  std::uint64_t hash = 0;
-  MassLedger ledger;
-  Grid<std::int32_t> lifts;  // from each cell
-  std::vector<std::string> notices;
-  std::string executor;
-};
-
-Ending told_by_cpu(const Story& story) {
-  Ending ending;
-  ParallelExecutor executor(two_sweeps);
-  ending.hash = story.hash_on(executor, ending.notices, ending.ledger, ending.lifts);
-  return ending;
-}
-
-Ending told_by(const Story& story, const std::shared_ptr<Card>& card) {
-  Ending ending;
-  CudaExecutor executor(two_sweeps, std::make_unique<EmulatedCalls>(card));
-  ending.hash = story.hash_on(executor, ending.notices, ending.ledger, ending.lifts);
-  ending.executor = executor.name();
-  return ending;
-}
-
-void expect_all_freed(const Card& card) {
-  EXPECT_EQ(card.device_bytes, 0u);
-  EXPECT_TRUE(card.pinned.empty());
-  EXPECT_EQ(card.handles, 0);
-}
-
-TEST(CudaExecutor, GoesThroughAStoryLikeThreads) {
-  const Story story;
-  const auto card = std::make_shared<Card>();
-  const Ending ours = told_by(story, card);
-  const Ending theirs = told_by_cpu(story);
-  EXPECT_EQ(ours.executor, "cuda");
-  EXPECT_TRUE(ours.notices.empty());
-  EXPECT_EQ(ours.hash, theirs.hash);
-  EXPECT_EQ(ours.ledger, theirs.ledger);
-  EXPECT_TRUE(ours.lifts == theirs.lifts);
-  expect_all_freed(*card);
+  end.close(executor, terrain);
+  executor.count_lifts(nullptr);
+  return end;
 }
 
 TEST(CudaExecutor, WhicheverCallFailsTheProcessorGoesOnFromTheSameState) {
-  const Story story;
-  const Ending theirs = told_by_cpu(story);
-  const auto healthy = std::make_shared<Card>();
-  told_by(story, healthy);
-  ASSERT_GT(healthy->calls, 100);
-  for (long long fail_at = 0; fail_at < healthy->calls; ++fail_at) {
-    const auto card = std::make_shared<Card>();
-    card->fail_at = fail_at;
-    const Ending ours = told_by(story, card);
-    EXPECT_EQ(ours.hash, theirs.hash) << "call " << fail_at;
-    EXPECT_EQ(ours.ledger, theirs.ledger) << "call " << fail_at;
-    EXPECT_TRUE(ours.lifts == theirs.lifts) << "call " << fail_at;
-    // The last call of all waits for the stream before memory is freed; nothing is left to lose then.
-    if (fail_at + 1 == healthy->calls) continue;
-    EXPECT_EQ(ours.executor, "cpu") << "call " << fail_at;
-    ASSERT_EQ(ours.notices.size(), 1u) << "call " << fail_at;
-    EXPECT_NE(ours.notices[0].find("computing on the processor"), std::string::npos) << ours.notices[0];
-    expect_all_freed(*card);
-  }
+  expect_same_whichever_call_fails(slab_story, 100);
 }
 
 TEST(CudaExecutor, SaysWhyThereIsNoDevice) {
@@ -132,12 +60,10 @@ TEST(CudaExecutor, SaysWhyThereIsNoDevice) {
 }
 
 TEST(CudaExecutor, GoesOnOnTheProcessorWhenTheTerrainDoesNotFit) {
-  const Story story;
-  const Ending theirs = told_by_cpu(story);
   const auto card = std::make_shared<Card>();
   card->memory = 1000;
-  const Ending ours = told_by(story, card);
-  EXPECT_EQ(ours.hash, theirs.hash);
+  const StoryEnd ours = told_by(slab_story, card);
+  expect_same(ours, told_by_cpu(slab_story), "too little memory");
   ASSERT_EQ(ours.notices.size(), 1u);
   EXPECT_NE(ours.notices[0].find("out of memory (asked for"), std::string::npos) << ours.notices[0];
   expect_all_freed(*card);

@@ -4,30 +4,21 @@
 
 #include <algorithm>
 
-#include "emulated_calls.h"
 #include "grain_cases.h"
+#include "models/grains.h"
+#include "on_cards.h"
+#include "stories.h"
 
 namespace erg::test {
 namespace {
 
-TEST(CudaGrains, GiveTheSameBitsAsThreads) {
-  for (const GrainCase& scene : grain_cases()) {
-    for (const std::uint64_t shuffle : {1u, 2u}) {
-      const auto card = std::make_shared<Card>();
-      card->shuffle = shuffle;
-      card->threads = static_cast<int>(shuffle);
-      card->block = shuffle == 1 ? 64 : 33;
-      CudaExecutor executor({.name = "cuda", .threads = 1}, std::make_unique<EmulatedCalls>(card));
-      expect_same_as_threads(scene, executor);
-    }
-  }
-}
+TEST(CudaGrains, GiveTheSameBitsAsThreads) { expect_same_on_cards(grain_cases()); }
 
 /// High ground far upwind of low ground, so that shadows are looked for over many rows.
 TEST(CudaGrains, SeeTheSameShadowsBehindATower) {
   for (const double bearing : {270.0, 255.0, 40.0}) {
     const World world{.model = "grains", .extent = {260, 20}, .wind = {bearing, 6}, .sand = 3};
-    GrainCase scene{"a tower, bearing " + std::to_string(bearing), world, 0, 1};
+    Case scene{"a tower, bearing " + std::to_string(bearing), world, 0, 1};
     if (bearing == 40) std::swap(scene.world.extent.nx, scene.world.extent.ny);
     scene.rocks = 1900;  // 47 cells high: a shadow of 177 cells
     CudaExecutor executor({.name = "cuda", .threads = 1}, std::make_unique<EmulatedCalls>(std::make_shared<Card>()));
@@ -37,85 +28,39 @@ TEST(CudaGrains, SeeTheSameShadowsBehindATower) {
 
 /// Everything that the host code does for grains: winds from two sides, snow that bonds, an open edge, a picture of the
 /// grains' ways, an edit, and slabs in between.
-struct Story {
-  World world{.model = "grains",
-              .extent = {9, 7},
-              .boundary = Boundary::open,
-              .inflow = 1,
-              .settings = {{"sub_steps", std::int64_t{2}}, {"bonding_time", 4.0}, {"settling", 0.1}},
-              .sand = 9};
-
-  std::uint64_t hash_on(Executor& executor, std::vector<std::string>& notices, MassLedger& ledger) const {
-    Terrain terrain = world.strewn();
-    GrainModel model(world.values());
-    model.begin(terrain);
-    std::uint64_t ways = 0;
-    const auto fly = [&](std::uint64_t step, double bearing) {
-      model.keep_paths(step == 1 ? 5 : 0);
-      model.step(terrain, {bearing, 9}, {world.seed, step}, executor);
-      for (const GrainPath& path : model.paths()) ways = mix64(ways ^ path.size());
-      if (const std::string notice = executor.take_notice(); !notice.empty()) notices.push_back(notice);
-    };
-    fly(0, 270);
-    fly(1, 10);
-    executor.settle(terrain);
-    terrain.edit_mobile()(3, 3) += 4;
-    terrain.ledger().in += 4;
-    fly(2, 10);
-    executor.step(terrain, SlabLaw{}, {270, 3}, {world.seed, 3});
-    fly(4, 270);
-    executor.settle(terrain);
-    if (const std::string notice = executor.take_notice(); !notice.empty()) notices.push_back(notice);
-    ledger = terrain.ledger();
-    EXPECT_EQ(terrain.total_mobile(), ledger.expected());
-    return state_hash(terrain) ^ ways;
-  }
-};
-
-struct Ending {
-  std::uint64_t hash = 0;
-  MassLedger ledger;
-  std::vector<std::string> notices;
-  std::string executor;
-};
-
-Ending told_by_cpu(const Story& story) {
-  Ending ending;
-  ParallelExecutor executor({.name = "cpu", .threads = 1, .sweeps = 2});
-  ending.hash = story.hash_on(executor, ending.notices, ending.ledger);
-  return ending;
-}
-
-Ending told_by(const Story& story, const std::shared_ptr<Card>& card) {
-  Ending ending;
-  CudaExecutor executor({.name = "cuda", .threads = 1, .sweeps = 2}, std::make_unique<EmulatedCalls>(card));
-  ending.hash = story.hash_on(executor, ending.notices, ending.ledger);
-  ending.executor = executor.name();
-  return ending;
+StoryEnd grain_story(Executor& executor) {
+  const World world{.model = "grains",
+                    .extent = {9, 7},
+                    .boundary = Boundary::open,
+                    .inflow = 1,
+                    .settings = {{"sub_steps", std::int64_t{2}}, {"bonding_time", 4.0}, {"settling", 0.1}},
+                    .sand = 9};
+  StoryEnd end;
+  Terrain terrain = world.strewn();
+  GrainModel model(world.values());
+  model.begin(terrain);
+  std::uint64_t ways = 0;
+  const auto fly = [&](std::uint64_t step, double bearing) {
+    model.keep_paths(step == 1 ? 5 : 0);
+    model.step(terrain, {bearing, 9}, {world.seed, step}, executor);
+    for (const GrainPath& path : model.paths()) ways = mix64(ways ^ path.size());
+    end.hear(executor);
+  };
+  fly(0, 270);
+  fly(1, 10);
+  executor.settle(terrain);
+  terrain.edit_mobile()(3, 3) += 4;
+  terrain.ledger().in += 4;
+  fly(2, 10);
+  executor.step(terrain, SlabLaw{}, {270, 3}, {world.seed, 3});
+  fly(4, 270);
+  end.close(executor, terrain);
+  end.hash ^= ways;
+  return end;
 }
 
 TEST(CudaGrains, WhicheverCallFailsTheProcessorGoesOnFromTheSameState) {
-  const Story story;
-  const Ending theirs = told_by_cpu(story);
-  const auto healthy = std::make_shared<Card>();
-  const Ending ours = told_by(story, healthy);
-  EXPECT_EQ(ours.executor, "cuda");
-  EXPECT_TRUE(ours.notices.empty());
-  EXPECT_EQ(ours.hash, theirs.hash);
-  EXPECT_EQ(ours.ledger, theirs.ledger);
-  ASSERT_GT(healthy->calls, 300);
-  for (long long fail_at = 0; fail_at + 1 < healthy->calls; fail_at += 1 + fail_at % 3) {
-    const auto card = std::make_shared<Card>();
-    card->fail_at = fail_at;
-    const Ending failed = told_by(story, card);
-    EXPECT_EQ(failed.hash, theirs.hash) << "call " << fail_at;
-    EXPECT_EQ(failed.ledger, theirs.ledger) << "call " << fail_at;
-    EXPECT_EQ(failed.executor, "cpu") << "call " << fail_at;
-    EXPECT_EQ(failed.notices.size(), 1u) << "call " << fail_at;
-    EXPECT_EQ(card->device_bytes, 0u);
-    EXPECT_TRUE(card->pinned.empty());
-    EXPECT_EQ(card->handles, 0);
-  }
+  expect_same_whichever_call_fails(grain_story, 300, 3);
 }
 
 TEST(CudaGrains, KeepTheTerrainOnTheDeviceBetweenSteps) {

@@ -6,8 +6,9 @@
 
 #include "core/errors.h"
 #include "cuda/snow_plan.h"
-#include "emulated_calls.h"
+#include "on_cards.h"
 #include "snow_cases.h"
+#include "stories.h"
 #include "transport/snow_step.h"
 
 namespace erg::test {
@@ -18,23 +19,13 @@ std::unique_ptr<CudaExecutor> emulated(const std::shared_ptr<Card>& card, int sw
                                         std::make_unique<EmulatedCalls>(card));
 }
 
-TEST(CudaSnow, GivesTheSameBitsAsThreads) {
-  for (const SnowCase& scene : snow_cases()) {
-    for (const std::uint64_t shuffle : {1u, 2u}) {
-      const auto card = std::make_shared<Card>();
-      card->shuffle = shuffle;
-      card->threads = static_cast<int>(shuffle);
-      card->block = shuffle == 1 ? 64 : 33;
-      expect_same_as_threads(scene, *emulated(card, scene.sweeps));
-    }
-  }
-}
+TEST(CudaSnow, GivesTheSameBitsAsThreads) { expect_same_on_cards(snow_cases()); }
 
 /// Without this the cases would prove little: snow lifts, comes in, is carried off, bonds and comes free in them, and
 /// their flights cross edges.
 TEST(CudaSnow, ItsCasesHaveEverythingHappen) {
   double loose = 0;
-  for (const SnowCase& scene : snow_cases()) {
+  for (const Case& scene : snow_cases()) {
     if (scene.world.extent.cells() < 100) continue;
     const auto card = std::make_shared<Card>();
     const auto executor = emulated(card, scene.sweeps);
@@ -55,81 +46,39 @@ TEST(CudaSnow, ItsCasesHaveEverythingHappen) {
 
 /// Everything that the host code does for snow: winds from two sides, an oblique one, an edit, slabs in between, lifts
 /// that are counted, strength that is shown.
-struct Story {
-  World world{.model = "snow_sintering",
-              .extent = {9, 7},
-              .settings = {{"snowfall", 20.0}, {"start_age", 20.0}, {"hop_factor", 60.0}},
-              .sand = 12};
-
-  struct Ending {
-    std::uint64_t hash = 0;
-    MassLedger ledger;
-    Grid<std::int32_t> lifts;
-    std::vector<std::string> notices;
-    std::string executor;
+StoryEnd snow_story(Executor& executor) {
+  const World world{.model = "snow_sintering",
+                    .extent = {9, 7},
+                    .settings = {{"snowfall", 20.0}, {"start_age", 20.0}, {"hop_factor", 60.0}},
+                    .sand = 12};
+  StoryEnd end;
+  end.lifts = Grid<std::int32_t>(world.extent);
+  Terrain terrain = world.strewn();
+  raise_rocks(terrain, 8);
+  const auto model = find_model(world.model).make(world.values());
+  model->prepare({.seed = world.seed});
+  model->begin(terrain);
+  const auto drift = [&](std::uint64_t step, double bearing) {
+    model->step(terrain, {bearing, 16}, {world.seed, step}, executor);
+    end.hear(executor);
   };
-
-  Ending on(Executor& executor) const {
-    Ending ending;
-    ending.lifts = Grid<std::int32_t>(world.extent);
-    Terrain terrain = world.strewn();
-    raise_rocks(terrain, 8);
-    const auto model = find_model(world.model).make(world.values());
-    model->prepare({.seed = world.seed});
-    model->begin(terrain);
-    const auto ask = [&] {
-      if (const std::string notice = executor.take_notice(); !notice.empty()) ending.notices.push_back(notice);
-    };
-    const auto drift = [&](std::uint64_t step, double bearing) {
-      model->step(terrain, {bearing, 16}, {world.seed, step}, executor);
-      ask();
-    };
-    drift(13, 270);
-    executor.count_lifts(&ending.lifts);
-    drift(14, 250);
-    drift(15, 20);  // shows strength
-    executor.count_lifts(nullptr);
-    executor.settle(terrain);
-    terrain.edit_mobile()(3, 6) += 4;
-    terrain.ledger().in += 4;
-    drift(16, 20);
-    executor.step(terrain, SlabLaw{}, {270, 3}, {world.seed, 17});
-    drift(18, 0);
-    executor.settle(terrain);
-    ask();
-    ending.hash = state_hash(terrain);
-    ending.ledger = terrain.ledger();
-    ending.executor = executor.name();
-    EXPECT_EQ(terrain.total_mobile(), ending.ledger.expected());
-    return ending;
-  }
-};
+  drift(13, 270);
+  executor.count_lifts(&end.lifts);
+  drift(14, 250);
+  drift(15, 20);  // shows strength
+  executor.count_lifts(nullptr);
+  executor.settle(terrain);
+  terrain.edit_mobile()(3, 6) += 4;
+  terrain.ledger().in += 4;
+  drift(16, 20);
+  executor.step(terrain, SlabLaw{}, {270, 3}, {world.seed, 17});
+  drift(18, 0);
+  end.close(executor, terrain);
+  return end;
+}
 
 TEST(CudaSnow, WhicheverCallFailsTheProcessorGoesOnFromTheSameState) {
-  const Story story;
-  ParallelExecutor cpu({.name = "cpu", .threads = 1, .sweeps = 2});
-  const Story::Ending theirs = story.on(cpu);
-  const auto healthy = std::make_shared<Card>();
-  const Story::Ending ours = story.on(*emulated(healthy));
-  EXPECT_EQ(ours.executor, "cuda");
-  EXPECT_TRUE(ours.notices.empty());
-  EXPECT_EQ(ours.hash, theirs.hash);
-  EXPECT_EQ(ours.ledger, theirs.ledger);
-  EXPECT_TRUE(ours.lifts == theirs.lifts);
-  ASSERT_GT(healthy->calls, 300);
-  for (long long fail_at = 0; fail_at + 1 < healthy->calls; ++fail_at) {
-    const auto card = std::make_shared<Card>();
-    card->fail_at = fail_at;
-    const Story::Ending failed = story.on(*emulated(card));
-    EXPECT_EQ(failed.hash, theirs.hash) << "call " << fail_at;
-    EXPECT_EQ(failed.ledger, theirs.ledger) << "call " << fail_at;
-    EXPECT_TRUE(failed.lifts == theirs.lifts) << "call " << fail_at;
-    EXPECT_EQ(failed.executor, "cpu") << "call " << fail_at;
-    EXPECT_EQ(failed.notices.size(), 1u) << "call " << fail_at;
-    EXPECT_EQ(card->device_bytes, 0u);
-    EXPECT_TRUE(card->pinned.empty());
-    EXPECT_EQ(card->handles, 0);
-  }
+  expect_same_whichever_call_fails(snow_story, 300);
 }
 
 TEST(CudaSnow, KeepsTheTerrainOnTheDeviceBetweenSteps) {

@@ -267,7 +267,6 @@ TEST(Grains, KeepingPathsChangesNothing) {
 
 TEST(Grains, PathsAreKeptUnderAnotherConfigToo) {
   Config config("grains");
-  start_as_model(config);
   config.grid.set("nx", std::int64_t{32});
   config.grid.set("ny", std::int64_t{32});
   Simulation run(config);
@@ -278,13 +277,13 @@ TEST(Grains, PathsAreKeptUnderAnotherConfigToo) {
   EXPECT_GE(run.model().paths().size(), 10u);
 }
 
-struct Case {
+struct GrainRun {
   std::string name;
   World world;
   bool rocks = false;
 };
 
-std::uint64_t hash_of(const Case& scene, const ExecutorOptions& options) {
+std::uint64_t end_of(const GrainRun& scene, const ExecutorOptions& options) {
   Terrain terrain = scene.world.strewn();
   if (scene.rocks) raise_rocks(terrain, 150);
   scene.world.run(terrain, options, 4);
@@ -292,7 +291,7 @@ std::uint64_t hash_of(const Case& scene, const ExecutorOptions& options) {
 }
 
 TEST(Grains, SameBitsOnEveryExecutorAndAnyNumberOfThreads) {
-  const std::vector<Case> cases = {
+  const std::vector<GrainRun> cases = {
       {"straight", {.model = "grains", .extent = {70, 50}, .sand = 20}},
       {"oblique, odd, rocks", {.model = "grains", .extent = {51, 67}, .wind = {237, 6}, .sand = 20}, true},
       {"open", {.model = "grains", .extent = {60, 45}, .boundary = Boundary::open, .inflow = 3, .wind = {290, 5}}},
@@ -302,10 +301,10 @@ TEST(Grains, SameBitsOnEveryExecutorAndAnyNumberOfThreads) {
         .wind = {20, 5},
         .settings = {{"bonding_time", 5.0}, {"settling", 0.02}, {"plants", std::int64_t{3}}, {"diameter_spread", 0.3}},
         .sand = 10}}};
-  for (const Case& scene : cases) {
-    const std::uint64_t serial = hash_of(scene, {.name = "serial"});
+  for (const GrainRun& scene : cases) {
+    const std::uint64_t serial = end_of(scene, {.name = "serial"});
     for (const int threads : {1, 2, 5}) {
-      EXPECT_EQ(hash_of(scene, {.name = "cpu", .threads = threads}), serial) << scene.name << ", " << threads;
+      EXPECT_EQ(end_of(scene, {.name = "cpu", .threads = threads}), serial) << scene.name << ", " << threads;
     }
     Terrain terrain = scene.world.strewn();
     if (scene.rocks) raise_rocks(terrain, 150);

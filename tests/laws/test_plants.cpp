@@ -5,21 +5,15 @@
 #include <cmath>
 
 #include "analysis/dune_patches.h"
+#include "configured.h"
 #include "sim/simulation.h"
 
 namespace erg {
 namespace {
 
-Config plants(std::vector<std::string> settings) {
-  Config config("nield_baas");
-  set_from_text(config, "run.threads=1");  // small lands; the result is the same for any number
-  for (const std::string& setting : settings) set_from_text(config, setting);
-  return config;
-}
+using test::field;
 
-const Grid<float>& field(const Terrain& terrain, const std::string& key) {
-  return find_field(terrain.fields(), key)->values;
-}
+Config plants(const std::vector<std::string>& settings) { return test::configured("nield_baas", settings); }
 
 TEST(Plants, GrowByTheCurveOfTheYearlyBalance) {
   // No wind reaches anything: every cell lies at a balance that is painted in as last year's thickness.

@@ -5,25 +5,18 @@
 #include <cmath>
 
 #include "analysis/bedforms.h"
+#include "configured.h"
 #include "sim/simulation.h"
 
 namespace erg {
 namespace {
 
-Config snow(const std::string& model, const std::vector<std::string>& settings) {
-  Config config(model);
-  set_from_text(config, "run.threads=1");  // small lands; the result is the same for any number
-  for (const std::string& setting : settings) set_from_text(config, setting);
-  return config;
-}
-
-const Grid<float>& field(const Terrain& terrain, const std::string& key) {
-  return find_field(terrain.fields(), key)->values;
-}
+using test::configured;
+using test::field;
 
 std::int64_t frozen_on_day(const std::string& executor, double first, double last, std::int64_t steps = 100) {
-  Config config = snow("snow_packing", {"grid.nx=16", "grid.ny=16", "wind.strength=20", "run.executor=" + executor,
-                                        "run.steps=" + std::to_string(steps)});
+  Config config = configured("snow_packing", {"grid.nx=16", "grid.ny=16", "wind.strength=20",
+                                              "run.executor=" + executor, "run.steps=" + std::to_string(steps)});
   config.temperature = {first, last, {}};
   Simulation simulation(config);
   while (!simulation.finished() && simulation.step_count() < steps) simulation.step();
@@ -45,7 +38,7 @@ TEST(SnowPacking, FreezesSoonerTheWarmerItIs) {
 }
 
 TEST(SnowPacking, FollowsTheTemperatureCurve) {
-  Config config = snow("snow_packing", {"run.steps=11"});
+  Config config = configured("snow_packing", {"run.steps=11"});
   config.temperature = {-20, 0, {{0, 1}, {0, 1}}};  // warms at once
   Simulation simulation(config);
   EXPECT_EQ(simulation.wind().temperature, -20);
@@ -57,9 +50,9 @@ TEST(SnowPacking, FollowsTheTemperatureCurve) {
 
 TEST(SnowSintering, BondsInTheCalmAndNeverComesLooseThere) {
   for (const std::string executor : {"serial", "cpu"}) {
-    Simulation simulation(
-        snow("snow_sintering", {"grid.nx=24", "grid.ny=20", "grid.cell_size=0.1", "scene.sand=30", "wind.strength=1",
-                                "parameters.time_step=600", "run.seed=3", "run.executor=" + executor}));
+    Simulation simulation(configured(
+        "snow_sintering", {"grid.nx=24", "grid.ny=20", "grid.cell_size=0.1", "scene.sand=30", "wind.strength=1",
+                           "parameters.time_step=600", "run.seed=3", "run.executor=" + executor}));
     Grid<float> before = field(simulation.terrain(), "bonded");
     double total = 0;
     for (int step = 0; step < 72; ++step) {  // twelve hours
@@ -79,8 +72,9 @@ TEST(SnowSintering, BondsInTheCalmAndNeverComesLooseThere) {
 
 TEST(SnowSintering, BooksTheSnowThatFalls) {
   for (const std::string executor : {"serial", "cpu"}) {
-    Config config = snow("snow_sintering", {"grid.nx=40", "grid.ny=40", "grid.cell_size=0.1", "scene.sand=0",
-                                            "parameters.snowfall=5", "wind.strength=1", "run.executor=" + executor});
+    Config config =
+        configured("snow_sintering", {"grid.nx=40", "grid.ny=40", "grid.cell_size=0.1", "scene.sand=0",
+                                      "parameters.snowfall=5", "wind.strength=1", "run.executor=" + executor});
     Simulation simulation(config);
     for (int step = 0; step < 60; ++step) simulation.step();  // an hour
     const Terrain& terrain = simulation.terrain();
@@ -91,7 +85,7 @@ TEST(SnowSintering, BooksTheSnowThatFalls) {
 
 TEST(SnowSintering, LooseSnowSlidesAndBondedSnowStands) {
   const auto steepest = [](const std::string& age) {
-    Simulation simulation(snow(
+    Simulation simulation(configured(
         "snow_sintering",
         {"grid.nx=64", "grid.ny=64", "grid.cell_size=0.1", "scene.kind=cone", "scene.height=2.2", "scene.radius=20",
          "scene.sand=1", "wind.strength=0.5", "parameters.bonding_time=100000", "parameters.start_age=" + age}));
@@ -108,7 +102,7 @@ TEST(SnowSintering, LooseSnowSlidesAndBondedSnowStands) {
 }
 
 BedformShape grown(const std::vector<std::string>& settings, int steps) {
-  Simulation simulation(snow("snow_sintering", settings));
+  Simulation simulation(configured("snow_sintering", settings));
   for (int step = 0; step < steps; ++step) simulation.step();
   return measure_bedforms(simulation.terrain(), 270);
 }
@@ -139,7 +133,7 @@ TEST(SnowSintering, AGaleCarvesSastrugiOfBondedSnowAlongIt) {
 
 TEST(SnowSintering, AGaleTurnsTheWavesOfAStormIntoSastrugi) {
   Config config =
-      snow("snow_sintering", {"grid.nx=64", "grid.ny=64", "grid.cell_size=0.1", "scene.sand=40", "run.seed=2"});
+      configured("snow_sintering", {"grid.nx=64", "grid.ny=64", "grid.cell_size=0.1", "scene.sand=40", "run.seed=2"});
   const auto season = [](double wind, std::int64_t steps, double snowfall) {
     Season one;
     one.first = one.last = wind;
@@ -174,8 +168,8 @@ TEST(SnowSintering, ALightWindLeavesSnowFlat) {
 TEST(SnowSintering, RocksGetARampAndATailDownwind) {
   // A rock 1.2 m high and 2 m wide under thin snow that drifts: its middle is (48, 32), its foot at x = 58.
   Simulation simulation(
-      snow("snow_sintering", {"grid.nx=96", "grid.ny=64", "grid.cell_size=0.1", "scene.kind=hump", "scene.sand=8",
-                              "scene.height=1.2", "scene.radius=10", "wind.strength=11"}));
+      configured("snow_sintering", {"grid.nx=96", "grid.ny=64", "grid.cell_size=0.1", "scene.kind=hump", "scene.sand=8",
+                                    "scene.height=1.2", "scene.radius=10", "wind.strength=11"}));
   for (int step = 0; step < 180; ++step) simulation.step();
   const auto mean = [&](int west, int east, int south, int north) {
     double sum = 0;
@@ -200,9 +194,9 @@ struct MoundFate {
 };
 
 MoundFate mound_fate(int radius, const std::string& height) {
-  Simulation simulation(
-      snow("snow_sintering", {"grid.nx=160", "grid.ny=96", "grid.cell_size=0.1", "scene.kind=cone", "scene.sand=0",
-                              "scene.height=" + height, "scene.radius=" + std::to_string(radius), "wind.strength=9"}));
+  Simulation simulation(configured(
+      "snow_sintering", {"grid.nx=160", "grid.ny=96", "grid.cell_size=0.1", "scene.kind=cone", "scene.sand=0",
+                         "scene.height=" + height, "scene.radius=" + std::to_string(radius), "wind.strength=9"}));
   const Grid<std::int32_t> before = simulation.terrain().mobile();
   const auto middle = [&] {  // of what lies near the thickest line across the wind, so that a veil of drift is left out
     const Grid<std::int32_t>& snow = simulation.terrain().mobile();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/memory.h"
 #include "water_table.h"
 #include "world.h"
 
@@ -28,6 +29,15 @@ std::int32_t lowest_after(const std::string& model, const Machine& machine) {
   terrain.open_ledger();
   world.run(terrain, machine.options, 40);
   return *std::ranges::min_element(terrain.mobile().cells());
+}
+
+// What a model declares of its memory is what a run is reckoned with.
+TEST(WaterTable, SaysWhatItsRunsKeepOfACell) {
+  const Config water("water_table");
+  const Config plain("werner");
+  const auto cells = static_cast<std::uint64_t>(plain.grid.integer("nx") * plain.grid.integer("ny"));
+  EXPECT_EQ(memory_of_run(water) - memory_of_run(plain), cells * find_model("water_table").working_bytes);
+  EXPECT_GT(find_model("water_table").working_bytes, 0);
 }
 
 TEST(WaterTable, IsTheFloorOfTheWindsWork) {

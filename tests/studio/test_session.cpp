@@ -13,6 +13,7 @@
 #include "studio/runner.h"
 #include "studio/session.h"
 #include "studio/studio.h"
+#include "torn_session.h"
 
 namespace erg {
 namespace {
@@ -137,16 +138,7 @@ TEST(Session, ADamagedCheckpointIsRefused) {
 
 TEST(Session, OneWhoseRunsCannotBeMadeStaysOnOffer) {
   const TemporaryFolder folder;
-  {
-    Session session(folder.path());
-    Simulation first(titled(1));
-    Simulation second(titled(2));
-    second.step();
-    Snapshot torn = snapshot_of(first, 1);
-    torn.runs.push_back(snapshot_of(second, 1).runs.front());
-    session.save(torn);
-    session.keep();
-  }
+  test::leave_torn_session(folder.path(), titled(1));
   Studio studio({{}, folder.path(), {}});
   ASSERT_EQ(studio.lost_sessions().size(), 1u);
   const fs::path lost = studio.lost_sessions().front().folder;
@@ -156,6 +148,8 @@ TEST(Session, OneWhoseRunsCannotBeMadeStaysOnOffer) {
   EXPECT_EQ(studio.now().activity, Activity::empty) << "runs of one comparison stand at one step";
   EXPECT_GE(studio.log().count(LogLevel::error), 1u);
   EXPECT_EQ(studio.setup().config(), Config());
+  EXPECT_TRUE(studio.take_failed_creation());
+  EXPECT_FALSE(studio.take_failed_creation()) << "told once";
   EXPECT_EQ(studio.lost_sessions().size(), 1u);
   studio.rescue();
   EXPECT_TRUE(fs::exists(lost / "session.json"));

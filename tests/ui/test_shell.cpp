@@ -1,8 +1,10 @@
 // Menus, run bar, look panel, land: what a hand does there reaches the view model.
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <thread>
 
+#include "../studio/torn_session.h"
 #include "flat_stage.h"
 #include "harness.h"
 #include "io/camera_file.h"
@@ -44,6 +46,31 @@ class ShellHand : public testing::Test {
   }
   const Snapshot& now() { return studio.now(); }
 };
+
+// It can be read, so that it fails only when its runs are made.
+TEST(Shell, ARecoveryThatFailsInTheEndOpensTheLog) {
+  const TemporaryFolder folder;
+  leave_torn_session(folder.path(), small_config());
+  Studio studio({{}, folder.path(), {}});
+  ASSERT_EQ(studio.lost_sessions().size(), 1u);
+  FlatStage stage;
+  std::optional<Shell> shell;
+  UiHarness hand{[&] {
+    studio.tick();
+    if (shell) shell->draw();
+  }};
+  shell.emplace(studio, stage, hand.gui());
+  hand.frames(2);
+  EXPECT_TRUE(studio.recover(studio.lost_sessions().front().folder));
+  EXPECT_FALSE(shell->is_open("LOG"));
+  studio.runner().wait_until_still();
+  hand.frames(2);
+  EXPECT_TRUE(shell->is_open("LOG"));
+  shell->close("LOG");
+  hand.frames(2);
+  EXPECT_FALSE(shell->is_open("LOG")) << "closed, it stays so";
+  shell.reset();
+}
 
 TEST_F(ShellHand, WithoutALandEverythingThatNeedsOneIsOffAndSaysSo) {
   EXPECT_FALSE(hand.place("RUN/play").enabled);

@@ -31,11 +31,14 @@ TEST(TemperaturePanel, EndsAreTypedAndTheCurveBetweenThemIsBent) {
   EXPECT_NEAR(now.curve.first.y, 0, 0.01);
 }
 
-TEST(WindPanel, SnowFallsInASeasonOfASnowModel) {
+TEST(WindPanel, SnowFallsInASeasonOfAModelThatLetsIt) {
   PanelHand panel(make_wind_panel());
-  panel.hand.frames(2);
-  EXPECT_FALSE(panel.hand.has("WIND/" + season_snowfall_parameter().label));
-  panel.studio.setup().choose_material(Material::snow);
+  for (const char* model : {"momiji", "snow_packing"}) {
+    panel.studio.setup().choose_model(model);
+    panel.hand.frames(2);
+    EXPECT_FALSE(panel.hand.has("WIND/" + season_snowfall_parameter().label)) << model;
+  }
+  panel.studio.setup().choose_model("snow_sintering");
   panel.hand.frames(2);
   panel.hand.enter("WIND/" + season_snowfall_parameter().label, "3");
   EXPECT_EQ(panel.studio.setup().config().wind.seasons.front().snowfall, 3);

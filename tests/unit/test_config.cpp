@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "io/config_file.h"
 #include "message.h"
 #include "models/model.h"
 
@@ -81,12 +82,54 @@ TEST(Config, AnotherModelKeepsWhatWasSet) {
   EXPECT_EQ(config.parameters.find("linear"), nullptr);
 }
 
+TEST(Config, AnotherModelStartsWithItsOwnCellsWindAndSand) {
+  Config config("momiji");
+  set_from_text(config, "sand=50");
+  set_from_text(config, "model=grains");
+  Config expected("grains");
+  expected.scene.set("sand", 50.0);
+  EXPECT_EQ(config, expected);
+  EXPECT_TRUE(config.grid.is_default("cell_size"));
+  set_from_text(config, "wind.strength=8");
+  set_from_text(config, "model=momiji");
+  EXPECT_EQ(config.wind, Regime::constant(270, 8)) << "what was set stays";
+  EXPECT_EQ(config.scene.real("sand"), 50);
+  EXPECT_EQ(config.grid.real("cell_size"), 1);
+}
+
+/// What is said against the text of a config.
+std::string text_message(const std::string& text) {
+  return message([&] { parse_config(text, "a.json"); });
+}
+
+TEST(Config, WeatherThatTheModelDoesNotAskForIsRefusedAndNotWritten) {
+  EXPECT_EQ(text_message("{\"erg\": 1, \"model\": \"momiji\",\n\"temperature\": -5,\n\"wind\": {\"seasons\": [{},\n"
+                         "{\"snowfall\": 0}]}}"),
+            "a.json:2: \"momiji\" asks for no temperature; leave it out, or take a model that does\n"
+            "a.json:4: \"momiji\" asks for no snowfall; leave it out, or take a model that does");
+  EXPECT_EQ(text_message(R"({"erg": 1, "model": "snow_packing", "temperature": -5})"), "no error");
+  EXPECT_NE(text_message(R"({"erg": 1, "model": "snow_packing", "wind": {"seasons": [{"snowfall": 1}]}})"), "no error");
+  EXPECT_EQ(text_message(R"({"erg": 1, "model": "snow_sintering", "wind": {"seasons": [{"snowfall": 1}]}})"),
+            "no error");
+
+  Config config("snow_sintering");  // as a setup of the window, whose model may change
+  config.temperature.last = -2;
+  config.wind.seasons.front().snowfall = 3;
+  EXPECT_EQ(parse_config(config_text(config), "a.json"), config);
+  change_model(config, "momiji");
+  const Config read = parse_config(config_text(config), "a.json");
+  EXPECT_EQ(read.temperature, Temperature{});
+  EXPECT_EQ(read.wind.seasons.front().snowfall, 0);
+}
+
 TEST(Config, MistakesInAssignmentsTeach) {
   EXPECT_EQ(set_message("grid.nx=0"), "--set grid.nx=0: nx is 0; expected a whole number, 1 to 16384");
   EXPECT_EQ(set_message("stepps=3"), "--set stepps=3: unknown key \"stepps\"; did you mean \"steps\"?");
   EXPECT_EQ(set_message("run.stepps=3"), "--set run.stepps=3: unknown key \"run.stepps\"; did you mean \"run.steps\"?");
   EXPECT_EQ(set_message("boundary=opne"), "--set boundary=opne: unknown boundary \"opne\"; did you mean \"open\"?");
   EXPECT_EQ(set_message("model=bishopp"), "--set model=bishopp: unknown model \"bishopp\"; did you mean \"bishop\"?");
+  EXPECT_EQ(set_message("temperature.last=-3"),
+            "--set temperature.last=-3: \"momiji\" asks for no temperature; leave it out, or take a model that does");
   EXPECT_EQ(set_message("nx"), "--set nx: not an assignment; expected key=value, for example run.steps=500");
   EXPECT_EQ(set_message("=3"), "--set =3: not an assignment; expected key=value, for example run.steps=500");
   EXPECT_EQ(set_message("wind.strength=0"), "--set wind.strength=0: strength is 0; expected 0.1 to 8192");

@@ -73,6 +73,22 @@ TEST_F(ConfigFile, OnlyVersionAndModelAreNeeded) {
   EXPECT_EQ(parse_config(R"({"erg": 1, "model": "werner"})", "a.json"), Config("werner"));
 }
 
+// What a file leaves out is as the model starts with it, so that its forms come out of it.
+TEST_F(ConfigFile, WhatIsLeftOutIsAsTheModelStarts) {
+  const Config bare = parse_config(R"({"erg": 1, "model": "grains"})", "a.json");
+  EXPECT_EQ(bare, Config("grains"));
+  EXPECT_EQ(bare.grid.real("cell_size"), 0.01);
+  EXPECT_EQ(bare.scene.real("sand"), 200);
+  EXPECT_EQ(bare.wind, Regime::constant(270, 10));
+  const Config south =
+      parse_config(R"({"erg": 1, "model": "grains", "wind": {"seasons": [{"bearing": 180}, {"first": 7}]}})", "a.json");
+  EXPECT_EQ(south.wind.seasons[0], (Season{180, 10, 10, 1, {}}));
+  EXPECT_EQ(south.wind.seasons[1], (Season{270, 7, 7, 1, {}}));
+  for (const std::string& model : model_keys()) {
+    EXPECT_EQ(parse_config(config_text(Config(model)), "a.json"), Config(model)) << model;
+  }
+}
+
 TEST_F(ConfigFile, ReadsEverything) {
   const Config config = parse_config(R"({
     "erg": 1, "title": "T", "description": "D.", "model": "bishop",

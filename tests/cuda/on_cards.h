@@ -1,0 +1,27 @@
+// Cases on emulated cards.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cases.h"
+#include "emulated_calls.h"
+
+namespace erg::test {
+
+/// Blocks and threads of the kernels come in two orders, on one thread and on two, in blocks of two sizes; each gives
+/// the bits of `cpu`.
+inline void expect_same_on_cards(const std::vector<Case>& scenes) {
+  for (const Case& scene : scenes) {
+    for (const std::uint64_t shuffle : {1u, 2u}) {
+      const auto card = std::make_shared<Card>();
+      card->shuffle = shuffle;
+      card->threads = static_cast<int>(shuffle);
+      card->block = shuffle == 1 ? 64 : 33;
+      CudaExecutor executor(scene.options(), std::make_unique<EmulatedCalls>(card));
+      expect_same_as_threads(scene, executor);
+    }
+  }
+}
+
+}  // namespace erg::test
