@@ -134,7 +134,7 @@ class SnowLine {
   }
 
   __device__ void launch(const SnowCell& cell, std::int32_t row, std::uint32_t random) {
-    const SnowHop hop = snow_hop(cell, random);
+    const SnowHop hop = snow_hop(cell.hops, cell.run, random);
     load(row + hop.rows) += hop.load;
     ++aloft_;
     tally_.counts[tally_rows] += hop.rows;
@@ -222,7 +222,7 @@ class SnowLine {
     const SnowCell cell = plan_.cells[cell_of(plan_, number_, row)];
     for (int slab = 0; slab < slabs; ++slab) {
       word = next_snow_word(word);
-      const int rows = entering_rows(cell, word);
+      const int rows = entering_rows(cell.hops, cell.run, word);
       load(row + rows) += one_slab + whole_hop;
       tally_.counts[tally_rows] += rows;
     }

@@ -228,34 +228,46 @@ ERG_CELL_RULE float strength_noise(const SnowLaw& law, int x, int y, int height,
   const int column = static_cast<int>(u);
   const int row = static_cast<int>(v);
   const int layer = static_cast<int>(w);
-  float sum = 0;
+  float parts[8];
   for (int corner = 0; corner < 8; ++corner) {
     const float share_u = corner & 1 ? u - static_cast<float>(column) : 1 - (u - static_cast<float>(column));
     const float share_v = corner & 2 ? v - static_cast<float>(row) : 1 - (v - static_cast<float>(row));
     const float share_w = corner & 4 ? w - static_cast<float>(layer) : 1 - (w - static_cast<float>(layer));
-    sum += share_u * share_v * share_w * point(column + (corner & 1), row + (corner >> 1 & 1), layer + (corner >> 2));
+    parts[corner] =
+        share_u * share_v * share_w * point(column + (corner & 1), row + (corner >> 1 & 1), layer + (corner >> 2));
   }
+  float sum = 0;
+  for (const float part : parts) sum += part;
   const float stretched = 0.5f + 2.0f * (sum - 0.5f);
   return stretched < 0 ? 0 : (stretched > 1 ? 1 : stretched);
 }
 
-/// Strength of bonded snow in cell (x, y) of the terrain, `height` slabs over its bedrock; 1 is the mean. `point` as in
-/// strength_noise.
-template <typename Point>
-ERG_CELL_RULE float snow_strength_between(const SnowLaw& law, int x, int y, int height, const Point& point) {
-  float strength = 1;
-  if (law.pattern == StrengthPattern::noise || law.pattern == StrengthPattern::both) {
-    strength *= law.strength_table[static_cast<int>(strength_noise(law, x, y, height, point) * 256)];
-  }
-  if (law.pattern == StrengthPattern::layers || law.pattern == StrengthPattern::both) {
-    const auto layer = static_cast<std::uint64_t>(strength_layer(law, height));
-    strength *= law.strength_table[mix64(law.noise_word ^ ~layer) >> 56];
-  }
-  return strength;
+/// Which of the two factors of strength a law has.
+ERG_CELL_RULE bool has_noise(const SnowLaw& law) {
+  return law.pattern == StrengthPattern::noise || law.pattern == StrengthPattern::both;
 }
+ERG_CELL_RULE bool has_layers(const SnowLaw& law) {
+  return law.pattern == StrengthPattern::layers || law.pattern == StrengthPattern::both;
+}
+
+/// The factors of the strength of bonded snow in cell (x, y) of the terrain, `height` slabs over its bedrock: by the
+/// noise, `point` as in strength_noise, and by the layer.
+template <typename Point>
+ERG_CELL_RULE float noise_strength(const SnowLaw& law, int x, int y, int height, const Point& point) {
+  return law.strength_table[static_cast<int>(strength_noise(law, x, y, height, point) * 256)];
+}
+ERG_CELL_RULE float layer_strength(const SnowLaw& law, int height) {
+  const auto layer = static_cast<std::uint64_t>(strength_layer(law, height));
+  return law.strength_table[mix64(law.noise_word ^ ~layer) >> 56];
+}
+
+/// Strength of bonded snow in cell (x, y) of the terrain, `height` slabs over its bedrock; 1 is the mean.
 ERG_CELL_RULE float snow_strength(const SnowLaw& law, int x, int y, int height) {
-  return snow_strength_between(
-      law, x, y, height, [&law](int column, int row, int layer) { return strength_point(law, column, row, layer); });
+  const auto point = [&law](int column, int row, int layer) { return strength_point(law, column, row, layer); };
+  float strength = 1;
+  if (has_noise(law)) strength *= noise_strength(law, x, y, height, point);
+  if (has_layers(law)) strength *= layer_strength(law, height);
+  return strength;
 }
 
 /// Whether an impact of this power might free a slab of the weakest snow, for a drawn share: most need no look at the

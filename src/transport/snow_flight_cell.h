@@ -8,7 +8,8 @@
 
 namespace erg {
 
-/// A cell of a line, held together because a slab that lifts or comes down needs all of it.
+/// A cell of a line on a graphics card, held together because a slab that lifts or comes down needs all of it. The
+/// processor's strips find out what lifts beforehand and keep less (StripCell).
 struct alignas(16) SnowCell {
   std::uint32_t snow = 0;     ///< snow_word
   std::uint32_t chances = 0;  ///< SnowWeather
@@ -53,10 +54,14 @@ ERG_CELL_RULE std::uint32_t snow_poll_word(std::uint32_t poll_key, std::uint32_t
 
 // --- lifting ---
 
-/// Whether a polled cell lets a slab go. `sweep_key`: chances are the sub-sweep's own.
+/// The share of 65536 that is drawn for a polled cell; below its chance a slab lifts. `sweep_key`: chances are the
+/// sub-sweep's own.
+ERG_CELL_RULE std::uint32_t snow_poll_draw(std::uint32_t poll_word, std::uint32_t sweep_key) {
+  return mix32(poll_word ^ sweep_key) >> 16;
+}
 ERG_CELL_RULE bool snow_lifts(std::uint32_t poll_word, std::uint32_t sweep_key, std::uint32_t snow,
                               std::uint32_t chances) {
-  return (mix32(poll_word ^ sweep_key) >> 16) < lift_chance_of(snow, chances);
+  return snow_poll_draw(poll_word, sweep_key) < lift_chance_of(snow, chances);
 }
 
 // --- flying ---
@@ -72,9 +77,9 @@ struct SnowHop {
   int rows;
   std::uint64_t load;
 };
-ERG_CELL_RULE SnowHop snow_hop(const SnowCell& cell, std::uint32_t random) {
-  const int rows = snow_hop_rows(cell.hops, random);
-  const int flown = cell.run < rows ? cell.run : rows;
+ERG_CELL_RULE SnowHop snow_hop(std::uint32_t hops, int run, std::uint32_t random) {
+  const int rows = snow_hop_rows(hops, random);
+  const int flown = run < rows ? run : rows;
   return {flown, one_slab + share_of_hop(flown, rows)};
 }
 
@@ -86,11 +91,11 @@ ERG_CELL_RULE std::uint32_t entering_word(const SnowSweep& sweep, int line) {
   return mix32(sweep.key ^ mix32(static_cast<std::uint32_t>(line) * 0x9e3779b9u + 1));
 }
 /// Rows to where a slab that enters over this cell comes down: where in its hop it crosses the edge is random.
-ERG_CELL_RULE int entering_rows(const SnowCell& cell, std::uint32_t word) {
-  if (mean_hop_64(cell.hops) == 0) return 0;
-  const std::uint32_t part = mean_hop_64(cell.hops) * (word >> 16) >> 16;
+ERG_CELL_RULE int entering_rows(std::uint32_t hops, int run, std::uint32_t word) {
+  if (mean_hop_64(hops) == 0) return 0;
+  const std::uint32_t part = mean_hop_64(hops) * (word >> 16) >> 16;
   const int rows = snow_hop_rows(part, next_snow_word(word ^ 0x9e3779b9u));
-  return rows < cell.run ? rows : cell.run;
+  return rows < run ? rows : run;
 }
 
 // --- coming down ---

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "transport/shared_work.h"
+
 namespace erg {
 
 StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Executor& executor) {
@@ -10,32 +12,25 @@ StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Ex
   plan_.kernels = &snow_kernels(instructions);
   draws_.draw_sweeps(plan_.key, plan_.sweeps);
   draws_.draw_lines(plan_.frame, plan_.key, plan_.longest_mean_hop);
-  plan_.drift = draws_.drift;
+  places_.lay_out(plan_.frame, draws_);
+  find_upwind();
+  plan_.draws = draws_.sweeps.data();
   plan_.reach = draws_.reach;
   plan_.offsets = draws_.offsets.data();
+  plan_.upwind = upwind_.data();
+  plan_.places = &places_;
   plan_.windows =
       static_cast<int>(std::bit_ceil(static_cast<unsigned>((plan_.reach + snow_window - 1) / snow_window + 1)));
-  const int width = plan_.frame.width;
-  strips_.resize(static_cast<std::size_t>((width + snow_lines - 1) / snow_lines));
-  const auto count = static_cast<std::int64_t>(strips_.size());
-  executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      // One strip's memory serves all strips of a thread where it can: it stays in its processor's cache.
-      if (lines_close())
-        strips_[k].swap_memory(
-            strips_[static_cast<std::size_t>(k > static_cast<std::size_t>(begin) ? k - 1 : end - 1)]);
-      const int first = static_cast<int>(k) * snow_lines;
-      strips_[k].load(plan_, first, std::min(snow_lines, width - first));
-      fly_strip(strips_[k]);
-      if (lines_close()) strips_[k].store();
-    }
+  if (plan_.relief) find_walls(executor);
+  strips_.resize(static_cast<std::size_t>(executor.threads()));
+  for (SnowStrip& strip : strips_) strip.forget_counts();
+  for_strips(executor, [this](SnowStrip& strip, int first) {
+    begin(strip, first);
+    strip.load();
+    fly_strip(strip, first);
+    strip.store();
   });
-  if (!lines_close()) {
-    bring_down(executor);
-    executor.for_pieces(count, [&](std::int64_t begin, std::int64_t end) {
-      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) strips_[k].store();
-    });
-  }
+  if (!lines_close()) bring_down(executor);
   StepReport report;
   std::int64_t rows_flown = 0;
   for (const SnowStrip& strip : strips_) {
@@ -48,9 +43,61 @@ StepReport SnowFlights::fly(SnowFlightPlan plan, InstructionSet instructions, Ex
   return report;
 }
 
+/// What lines meet first stands beside what they met last: as that was before the flights, for it may lie in a strip
+/// that is done earlier.
+void SnowFlights::find_upwind() {
+  const WindFrame& frame = plan_.frame;
+  upwind_.assign(static_cast<std::size_t>(frame.width), no_surface);
+  if (plan_.boundary == Boundary::open) return;
+  for (int line = 0; line < frame.width; ++line) {
+    const int column = (draws_.offsets[0] + line) % frame.width;
+    const std::size_t cell = frame.cell(column, frame.length - 1);
+    upwind_[static_cast<std::size_t>(line)] = plan_.bedrock[cell] + plan_.mobile[cell];
+  }
+}
+
+/// What comes to a cell before bedrock that stands too high over it stays there: hops end at it, and none leave it.
+void SnowFlights::find_walls(Executor& executor) {
+  const WindFrame& frame = plan_.frame;
+  const bool open = plan_.boundary == Boundary::open;
+  const int* const offsets = draws_.offsets.data() + 1;
+  const auto column = [&](int row, int line) { return (offsets[row] + line) % frame.width; };
+  executor.for_pieces(frame.width, [&](std::int64_t begin, std::int64_t end) {
+    for (int line = static_cast<int>(begin); line < end; ++line) {
+      for (int row = 0; row + (open ? 1 : 0) < frame.length; ++row) {
+        const std::size_t here = frame.cell(column(row, line), row);
+        const std::size_t next = frame.cell(column(row + 1, line), row + 1 < frame.length ? row + 1 : 0);
+        if (plan_.bedrock[next] - (plan_.bedrock[here] + plan_.mobile[here]) <= plan_.law->wall) continue;
+        if (open && column(row + 1, line) < column(row, line)) continue;
+        plan_.chances[here] = 0;
+        plan_.hops[here] = 0;
+        plan_.over[here] = over_wall;
+      }
+    }
+  });
+}
+
+/// Calls work(strip, number of its first line) for each strip of lines, on all threads.
+void SnowFlights::for_strips(Executor& executor, const std::function<void(SnowStrip& strip, int first)>& work) {
+  const int members = executor.threads();
+  SharedWork strips((plan_.frame.width + snow_lines - 1) / snow_lines, members);
+  executor.for_pieces(members, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t member = begin; member < end; ++member) {
+      strips.take_pieces(static_cast<int>(member), [&](std::int64_t first, std::int64_t last) {
+        for (std::int64_t k = first; k < last; ++k) {
+          work(strips_[static_cast<std::size_t>(member)], static_cast<int>(k) * snow_lines);
+        }
+      });
+    }
+  });
+}
+
+void SnowFlights::begin(SnowStrip& strip, int first) const {
+  strip.begin(plan_, first, std::min(snow_lines, plan_.frame.width - first));
+}
+
 /// All sub-sweeps of a strip. Lines that close on themselves bring down all that is in the air.
-void SnowFlights::fly_strip(SnowStrip& strip) {
-  const int first = static_cast<int>(&strip - strips_.data()) * snow_lines;
+void SnowFlights::fly_strip(SnowStrip& strip, int first) {
   std::vector<SnowStrip::Carried> carried;
   for (std::size_t number = 0; sweep_number(number).polls || (lines_close() && !strip.carried().empty()); ++number) {
     if (lines_close()) {
@@ -67,10 +114,16 @@ void SnowFlights::fly_strip(SnowStrip& strip) {
 /// Where lines go on in other strips: pass after pass until nothing is in the air.
 void SnowFlights::bring_down(Executor& executor) {
   for (auto number = static_cast<std::size_t>(plan_.sweeps); hand_over(); ++number) {
-    executor.for_pieces(static_cast<std::int64_t>(strips_.size()), [&](std::int64_t begin, std::int64_t end) {
-      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-        strips_[k].sweep(sweep_number(number));
+    for_strips(executor, [&](SnowStrip& strip, int first) {
+      std::vector<SnowStrip::Carried>& slabs = handed_over_[static_cast<std::size_t>(first / snow_lines)];
+      if (slabs.empty()) return;
+      begin(strip, first);
+      for (const SnowStrip::Carried& some : slabs) {
+        strip.receive(static_cast<int>(some.line) - first, some.row, some.load);
       }
+      slabs.clear();
+      strip.sweep(sweep_number(number));
+      strip.store();
     });
   }
 }
@@ -79,10 +132,11 @@ void SnowFlights::bring_down(Executor& executor) {
 bool SnowFlights::hand_over() {
   bool any = false;
   const auto width = static_cast<std::uint64_t>(plan_.frame.width);
+  handed_over_.resize(static_cast<std::size_t>((plan_.frame.width + snow_lines - 1) / snow_lines));
   for (SnowStrip& from : strips_) {
-    for (const SnowStrip::Carried& slabs : from.carried()) {
-      const auto line = static_cast<int>((slabs.line + static_cast<std::uint64_t>(plan_.drift)) % width);
-      strips_[static_cast<std::size_t>(line / snow_lines)].receive(line % snow_lines, slabs.row, slabs.load);
+    for (SnowStrip::Carried slabs : from.carried()) {
+      slabs.line = static_cast<std::uint32_t>((slabs.line + static_cast<std::uint64_t>(draws_.drift)) % width);
+      handed_over_[slabs.line / snow_lines].push_back(slabs);
       any = true;
     }
     from.carried().clear();

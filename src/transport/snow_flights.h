@@ -6,6 +6,8 @@
 // waits for another, and a strip stays in a processor's cache for all its sub-sweeps.
 #pragma once
 
+#include <functional>
+
 #include "transport/snow_draws.h"
 #include "transport/snow_strip.h"
 
@@ -19,13 +21,20 @@ class SnowFlights {
  private:
   bool lines_close() const { return draws_.lines_close(plan_.frame, plan_.boundary); }
   const SnowSweep& sweep_number(std::size_t number) const { return draws_.sweeps[draws_.sweep_number(number)]; }
-  void fly_strip(SnowStrip& strip);
+  void find_upwind();
+  void find_walls(Executor& executor);
+  void for_strips(Executor& executor, const std::function<void(SnowStrip& strip, int first)>& work);
+  void begin(SnowStrip& strip, int first) const;
+  void fly_strip(SnowStrip& strip, int first);
   void bring_down(Executor& executor);
   bool hand_over();
 
   SnowFlightPlan plan_;
   SnowDraws draws_;
-  std::vector<SnowStrip> strips_;
+  SnowPlaces places_;
+  std::vector<std::int32_t> upwind_;
+  std::vector<SnowStrip> strips_;  ///< one for each thread, which does one strip after another in its memory
+  std::vector<std::vector<SnowStrip::Carried>> handed_over_;  ///< to each strip
 };
 
 }  // namespace erg

@@ -3,6 +3,10 @@
 
 #include <cstdint>
 
+#if defined(__AVX512BW__)
+#include <immintrin.h>
+#endif
+
 #include "transport/fixed_point.h"
 #include "transport/snow_sweep.h"
 
@@ -12,6 +16,22 @@ namespace {
 
 // A loop over neighbouring cells. The count is copied first, so that the compiler need not read it again.
 #define ERG_EACH(i, count) _Pragma("GCC ivdep") for (int i = 0, end_of_##i = (count); i < end_of_##i; ++i)
+
+/// 64 bytes, each 0 or 1, as bits.
+[[gnu::always_inline]] inline std::uint64_t bits_of(const std::uint8_t* bytes) {
+#if defined(__AVX512BW__)
+  const __m512i all = _mm512_loadu_si512(bytes);
+  return _mm512_test_epi8_mask(all, all);
+#else
+  std::uint64_t bits = 0;
+  for (int k = 0; k < 8; ++k) {
+    std::uint64_t eight = 0;
+    __builtin_memcpy(&eight, bytes + 8 * k, 8);
+    bits |= (eight * 0x0102040810204080u >> 56) << (8 * k);  // one bit of each byte
+  }
+  return bits;
+#endif
+}
 
 std::uint32_t weather(const SnowLaw& given_law, const SnowWeatherRow& row) {
   const SnowLaw law = given_law;  // a copy, which no store of the loop can change
@@ -67,22 +87,6 @@ void rest(const SnowLaw& law, const SnowRestRow& row) {
   }
 }
 
-void find_runs(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count) {
-  alignas(64) std::int16_t height[64];
-  alignas(64) std::int16_t run[64];
-  const std::int16_t* __restrict from = over;
-  ERG_EACH(i, 64) {
-    height[i] = static_cast<std::int16_t>(flying_height(from[i], clearance_16));
-    run[i] = unhindered_run;
-  }
-  for (int k = reach; k > 0; --k) {
-    const std::int16_t* __restrict ahead = over + k * next_row;
-    const auto rows = static_cast<std::int16_t>(k);
-    ERG_EACH(i, 64) run[i] = ahead[i] > height[i] ? rows : run[i];
-  }
-  for (int i = 0; i < count; ++i) cells[i].run = run[i];
-}
-
 std::uint64_t find_steep(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
                          const std::int32_t* snow_b, int count, int step) {
   alignas(64) std::uint8_t steep[64] = {};
@@ -97,13 +101,29 @@ std::uint64_t find_steep(const std::int32_t* ground_a, const std::int32_t* snow_
       steep[i] = (difference > step ? 1 : 0) | (difference < -step ? 1 : 0);
     }
   }
-  std::uint64_t bits = 0;
-  for (int k = 0; k < 8; ++k) {
-    std::uint64_t eight = 0;
-    __builtin_memcpy(&eight, steep + 8 * k, 8);
-    bits |= (eight * 0x0102040810204080u >> 56) << (8 * k);  // one bit of each byte
+  return bits_of(steep);
+}
+
+/// The same for blocks of 64 of any number of surfaces: whether one of each is steep. Few are; most need no closer
+/// look.
+void find_steep_blocks(const std::int32_t* __restrict ground_a, const std::int32_t* __restrict snow_a,
+                       const std::int32_t* __restrict ground_b, const std::int32_t* __restrict snow_b, int count,
+                       int step, std::uint8_t* __restrict blocks) {
+  const auto most = 2 * static_cast<std::uint32_t>(step);
+  for (int first = 0; first < count; first += 64) {
+    const int end = count - first < 64 ? count : first + 64;
+    std::uint32_t steep = 0;
+    if (ground_a == nullptr) {
+      for (int i = first; i < end; ++i) {
+        steep |= static_cast<std::uint32_t>(snow_a[i] - snow_b[i] + step) > most ? 1 : 0;
+      }
+    } else {
+      for (int i = first; i < end; ++i) {
+        steep |= static_cast<std::uint32_t>(ground_a[i] + snow_a[i] - ground_b[i] - snow_b[i] + step) > most ? 1 : 0;
+      }
+    }
+    blocks[first / 64] = static_cast<std::uint8_t>(steep);
   }
-  return bits;
 }
 
 // --- strength ---
@@ -121,7 +141,8 @@ void draw_lattice(const SnowLaw& law, int row, int lowest, StrengthLattice& latt
   }
 }
 
-void strength(const SnowLaw& law, const SnowStrengthRow& row, StrengthLattice& lattice) {
+void strength(const SnowLaw& given_law, const SnowStrengthRow& row, StrengthLattice& lattice) {
+  const SnowLaw law = given_law;  // a copy, which no store of the loops can change
   const std::int32_t* __restrict mobile = row.mobile;
   const std::int32_t* __restrict loose = row.loose;
   float* __restrict strength = row.strength;
@@ -134,19 +155,24 @@ void strength(const SnowLaw& law, const SnowStrengthRow& row, StrengthLattice& l
     highest = layer > highest ? layer : highest;
   }
   const int at = strength_row(law, y);
-  if (lattice.points == nullptr || highest + 1 >= lowest + StrengthLattice::layers) {
-    ERG_EACH(x, row.count) strength[x] = snow_strength(law, x, y, mobile[x] - loose[x]);
-    return;
+  if (!has_noise(law)) {
+    ERG_EACH(x, row.count) strength[x] = 1;
+  } else if (highest + 1 >= lowest + StrengthLattice::layers) {
+    const auto point = [&law](int c, int r, int l) { return strength_point(law, c, r, l); };
+    ERG_EACH(x, row.count) strength[x] = noise_strength(law, x, y, mobile[x] - loose[x], point);
+  } else {
+    if (at != lattice.row || lowest < lattice.lowest || highest + 1 >= lattice.lowest + StrengthLattice::layers) {
+      draw_lattice(law, at, lowest, lattice);
+    }
+    const float* __restrict points = lattice.points;
+    const int next_row = (law.noise_columns + 1) * StrengthLattice::layers;
+    const auto point = [points, next_row, at, low = lattice.lowest](int c, int r, int l) {
+      return points[(r - at) * next_row + c * StrengthLattice::layers + l - low];
+    };
+    ERG_EACH(x, row.count) strength[x] = noise_strength(law, x, y, mobile[x] - loose[x], point);
   }
-  if (at != lattice.row || lowest < lattice.lowest || highest + 1 >= lattice.lowest + StrengthLattice::layers) {
-    draw_lattice(law, at, lowest, lattice);
-  }
-  const float* __restrict points = lattice.points;
-  const int next_row = (law.noise_columns + 1) * StrengthLattice::layers;
-  const auto point = [points, next_row, at, low = lattice.lowest](int c, int r, int l) {
-    return points[(r - at) * next_row + c * StrengthLattice::layers + l - low];
-  };
-  ERG_EACH(x, row.count) strength[x] = snow_strength_between(law, x, y, mobile[x] - loose[x], point);
+  if (!has_layers(law)) return;
+  ERG_EACH(x, row.count) strength[x] *= layer_strength(law, mobile[x] - loose[x]);
 }
 
 // --- surface ---
@@ -220,6 +246,7 @@ void average(const Sum* __restrict sums, float share, float* __restrict means, i
   ERG_EACH(i, count) means[i] = static_cast<float>(static_cast<Signed>(sums[i])) * share;
 }
 
+#include "transport/snow_exchange.inl"
 #include "transport/snow_flight.inl"
 
 #undef ERG_EACH
@@ -229,14 +256,15 @@ void average(const Sum* __restrict sums, float share, float* __restrict means, i
 extern const SnowKernels snow_kernels;
 const SnowKernels snow_kernels{weather,
                                rest,
+                               draw_polls,
                                lift,
                                launch,
                                land,
                                draw_rows,
                                take_snow,
                                give_snow,
-                               find_runs,
                                find_steep,
+                               find_steep_blocks,
                                strength,
                                survey,
                                raise,

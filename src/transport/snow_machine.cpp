@@ -8,7 +8,7 @@
 namespace erg {
 namespace {
 
-constexpr std::int64_t most_at_once = 4096;  // cells whose heights are looked at together
+constexpr std::int64_t most_at_once = 2048;  // cells whose heights are looked at together: they stay in the cache
 
 }  // namespace
 
@@ -48,16 +48,21 @@ StepReport SnowMachine::step(Terrain& terrain, SnowLayers& layers, const SnowLaw
 
 // --- heights ---
 
+/// Heights over the lowest surface, which is mostly that of the last step: then they are right at once.
 void SnowMachine::measure_heights() {
   const std::size_t cells = extent_.cells();
   const SnowKernels& kernels = snow_kernels(instructions_);
+  const std::int32_t expected = low_;
+  height_.resize(cells);
   SnowHeights all;
   all.level = bedrock_[0];
   executor_->for_pieces(static_cast<std::int64_t>(cells), [&](std::int64_t begin, std::int64_t end) {
     SnowHeights heights;
     heights.level = bedrock_[0];
     for (std::int64_t at = begin; at < end; at += most_at_once) {
-      kernels.survey(bedrock_ + at, mobile_ + at, static_cast<int>(std::min(most_at_once, end - at)), heights);
+      const int count = static_cast<int>(std::min(most_at_once, end - at));
+      kernels.survey(bedrock_ + at, mobile_ + at, count, heights);
+      kernels.raise(bedrock_ + at, mobile_ + at, expected, height_.data() + at, count);
     }
     const std::lock_guard lock(mutex_);
     all.lowest = std::min(all.lowest, heights.lowest);
@@ -69,7 +74,7 @@ void SnowMachine::measure_heights() {
   high_ = all.highest;
   relief_ = all.uneven != 0;
   check_snow_height(all.most_snow, high_ - low_);
-  height_.resize(cells);
+  if (low_ == expected) return;
   executor_->for_pieces(static_cast<std::int64_t>(cells), [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t at = begin; at < end; at += most_at_once) {
       kernels.raise(bedrock_ + at, mobile_ + at, low_, height_.data() + at,

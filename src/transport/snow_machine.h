@@ -68,6 +68,7 @@ class SnowMachine {
   void slide_edge(int x, int y, int other_x, int other_y);
   void mark_steep(int x, int y);
   std::uint64_t steep_edges(std::size_t a, std::size_t b, int count) const;
+  void find_steep_blocks(std::size_t a, std::size_t b, int count, std::uint8_t* flags) const;
   void let_snow_fall();
   void rest();
 
@@ -82,6 +83,8 @@ class SnowMachine {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks_) + static_cast<std::size_t>(x) / 64;
   }
   std::int32_t surface(std::size_t cell) const { return bedrock_[cell] + mobile_[cell]; }
+  /// Null where it is level.
+  const std::int32_t* bedrock_at(std::size_t cell) const { return relief_ ? bedrock_ + cell : nullptr; }
 
   const InstructionSet instructions_;
 

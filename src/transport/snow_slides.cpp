@@ -32,14 +32,8 @@ void SnowMachine::find_steep() {
   executor_->for_pieces(ny, [&](std::int64_t begin, std::int64_t end) {
     for (int y = static_cast<int>(begin); y < end; ++y) {
       const std::size_t here = index(0, y);
-      const std::size_t next = index(0, y + 1 < ny ? y + 1 : 0);
-      for (int x = 0; x < nx; x += cells_at_once) {
-        const auto at = static_cast<std::size_t>(x);
-        const int count = std::min(cells_at_once, nx - x);
-        const std::size_t flag = block(x, y);
-        if (steep_edges(here + at, here + at + 1, std::min(count, nx - 1 - x)) != 0) steep_in_row_[flag] = 1;
-        if (steep_edges(here + at, next + at, count) != 0) steep_to_next_[flag] = 1;
-      }
+      find_steep_blocks(here, here + 1, nx - 1, &steep_in_row_[block(0, y)]);
+      find_steep_blocks(here, index(0, y + 1 < ny ? y + 1 : 0), nx, &steep_to_next_[block(0, y)]);
     }
   });
 }
@@ -107,9 +101,13 @@ void SnowMachine::slide_to_next(int y) {
 }
 
 std::uint64_t SnowMachine::steep_edges(std::size_t a, std::size_t b, int count) const {
-  const std::int32_t* ground = relief_ ? bedrock_ : nullptr;
-  const auto at = [ground](std::size_t cell) { return ground != nullptr ? ground + cell : nullptr; };
-  return snow_kernels(instructions_).find_steep(at(a), mobile_ + a, at(b), mobile_ + b, count, law_->standing);
+  return snow_kernels(instructions_)
+      .find_steep(bedrock_at(a), mobile_ + a, bedrock_at(b), mobile_ + b, count, law_->standing);
+}
+
+void SnowMachine::find_steep_blocks(std::size_t a, std::size_t b, int count, std::uint8_t* flags) const {
+  snow_kernels(instructions_)
+      .find_steep_blocks(bedrock_at(a), mobile_ + a, bedrock_at(b), mobile_ + b, count, law_->standing, flags);
 }
 
 void SnowMachine::slide_edge(int x, int y, int other_x, int other_y) {

@@ -94,41 +94,96 @@ struct SnowRestRow {
 
 /// Most lines of a strip.
 inline constexpr int snow_lines = 64;
+/// Rows that are gone through together: one bit each in a word. What a window's flights touch fits into the innermost
+/// cache.
+inline constexpr int snow_window = 32;
+
+/// A cell of a strip: all that a slab needs to know that comes down there, in as few bytes as can be.
+struct alignas(8) StripCell {
+  std::uint32_t snow = 0;  ///< snow_word
+  std::uint32_t way = 0;   ///< mean hop in 1/64 rows (SnowWeather); upper half: rows that a slab can fly from here
+                           ///< before higher ground ends its hop, and as the highest bit whether one has come to rest
+                           ///< here in this step
+};
+ERG_CELL_RULE int run_of(std::uint32_t way) { return static_cast<int>(way >> 16 & 0x7fff); }
+inline constexpr std::uint32_t snow_has_landed = std::uint32_t{1} << 31;
 
 /// A strip's cells as the kernels see them.
 struct SnowLines {
-  SnowCell* cells = nullptr;  ///< of row 0, line 0
-  int next_row = 0;           ///< from a cell to that in the next row
-  int next_line = 0;
+  StripCell* cells = nullptr;
+  const std::uint16_t* powers = nullptr;  ///< upper half of SnowWeather::hops, of each cell
+  const int* places = nullptr;            ///< of line 0 in each row, from row 0 on
+  int next_line = 0;                      ///< from a cell to that of the next line
   int first_line = 0;
   int lines = 0;
 };
 
-/// Rows that are gone through together: one bit each in a word.
-inline constexpr int snow_window = 64;
+/// The cells that a step's sub-sweeps poll in a window, as far as a slab might lift: known before the flights. A word
+/// for each: line, row of the window, and whether loose snow would lift, and bonded snow.
+inline constexpr int polled_row_bit = 6;
+inline constexpr int lifts_loose_bit = 12;
+inline constexpr int lifts_hard_bit = 13;
+/// Places for as many of them as a window may have in one of so many sub-sweeps; some are for what is written beyond
+/// the last.
+inline constexpr int most_polls(int sweeps) {
+  return snow_lines * (sweeps < snow_window ? snow_window / sweeps : 1) + 16;
+}
 
-/// A block of rows in which a sub-sweep polls each line once.
-struct SnowPolls {
+struct SnowPollDraw {
   int first_row = 0;
-  int rows = 0;
-  std::uint32_t key = 0;                      ///< snow_poll_key
-  std::uint32_t chance_key = 0;               ///< of the chances to lift
-  const std::uint32_t* polled_row = nullptr;  ///< 256 rows, one for each random byte
-  const std::uint64_t* row_words = nullptr;   ///< flight_row_word of each row
+  int end = 0;
+  int sweeps = 8;
+  const SnowSweep* draws = nullptr;        ///< of each sub-sweep
+  const std::uint32_t* chances = nullptr;  ///< SnowWeather of each cell of the strip
+  std::uint16_t* polls = nullptr;          ///< to be written: a list of most_polls for each sub-sweep
+  int* counts = nullptr;                   ///< to be written: how many polls each has
 };
 
-/// Slabs in the air, in the rows where they will come down. Rows are a ring of whole windows.
+/// Polls of a window in a sub-sweep, `snow_lines` at most.
+struct SnowPolls {
+  const std::uint16_t* polls = nullptr;
+  int count = 0;
+  int first_row = 0;
+  const std::uint64_t* row_words = nullptr;  ///< flight_row_word of each row
+};
+
+/// Slabs that come down in a cell of a strip together, in half the bytes of a load (snow_flight_cell.h): how many, and
+/// in the lower 20 bits the shares of hops that they flew.
+inline constexpr std::uint32_t short_slab = std::uint32_t{1} << 20;
+inline constexpr std::uint32_t most_short_slabs = 4095;
+ERG_CELL_RULE std::uint32_t short_slabs_of(std::uint32_t load) { return load / short_slab; }
+ERG_CELL_RULE std::uint64_t long_load(std::uint32_t load) {
+  return std::uint64_t{load / short_slab} << 32 | load % short_slab;
+}
+
+/// Slabs in the air, in the rows where they will come down. Rows are a ring of whole windows. Each line may have as
+/// many slabs in the air as it has rows, and those that enter it: on long lines they may be more than a short load
+/// counts.
 struct SnowAir {
-  std::uint64_t* loads = nullptr;  ///< for each line and row: slabs, and in the lower half the shares of hops they flew
-  std::uint64_t* falls = nullptr;  ///< for each window and line, one bit for each row that has a load
-  int windows = 1;                 ///< a power of two
-  int next_line = 0;               ///< from a load to that of the next line
+  std::uint32_t* loads = nullptr;   ///< short, for each window, line and row
+  std::uint64_t* excess = nullptr;  ///< what came to loads that were full; null where none can be
+  std::uint32_t* falls = nullptr;   ///< for each window and line, one bit for each row that has a load
+  int windows = 1;                  ///< a power of two
   std::int64_t rows_flown = 0;
   std::int64_t carried_off = 0;
+
+  /// Adds to a load; a short one of 0 slabs or 1.
+  ERG_CELL_RULE void put(int place, std::uint32_t slab) const {
+    if (loads[place] < most_short_slabs * short_slab) {
+      loads[place] += slab;
+    } else {
+      excess[place] += long_load(slab);
+    }
+  }
+  /// What a short load at a place and its excess are together.
+  ERG_CELL_RULE std::uint64_t all_of(int place, std::uint32_t load) const {
+    return long_load(load) + (load < most_short_slabs * short_slab ? 0 : excess[place]);
+  }
 };
-/// Slabs that lift from a block, each from a line of its own.
+/// Slabs that lift, and where they come down. Those of polls from which none does have no load.
 struct SnowLifts {
-  int count = 0;
+  int count = 0;  ///< of the polls
+  int lifted = 0;
   std::int64_t rows_flown = 0;
   alignas(64) std::int32_t line[snow_lines];
   alignas(64) std::int32_t row[snow_lines];   ///< that they lift from
@@ -136,8 +191,8 @@ struct SnowLifts {
   // What they add in SnowAir.
   alignas(64) std::int32_t place[snow_lines];   ///< of the load
   alignas(64) std::int32_t window[snow_lines];  ///< of the bit, with the line
-  alignas(64) std::uint64_t load[snow_lines];
-  alignas(64) std::uint64_t bit[snow_lines];
+  alignas(64) std::uint32_t load[snow_lines];
+  alignas(64) std::uint32_t bit[snow_lines];
 };
 
 /// What becomes of slabs that come down, in a sub-sweep.
@@ -159,7 +214,22 @@ struct SnowLandings {
 /// The surface before the first row of an open grid.
 inline constexpr std::int32_t no_surface = -0x7fffffff - 1;
 
-/// Cells that lie side by side in a strip, which takes their snow from the terrain and gives it back.
+/// What stands ahead of cells that lie side by side, row by row down the wind: heights over the smoothed surface.
+struct SnowAhead {
+  const std::int16_t* heights = nullptr;  ///< of the cells
+  int next_row = 1;                       ///< from a cell to that of its line in the next row, if lines do not drift
+  int reach = 1;                          ///< rows to look ahead
+  // Where the cells lie along oblique lines. From row to row each line goes on in the same place or in that beside it.
+  const std::int16_t* drifted = nullptr;        ///< columns that lines have moved, from the first cell's row on; null:
+                                                ///< they do not
+  const std::int16_t* least_drifted = nullptr;  ///< the least that they move in so many rows; at most 1 more
+  int next_line = 0;
+};
+
+/// Most cells of a stretch.
+inline constexpr int snow_stretch = 64;
+/// Cells that lie side by side in the terrain and in a strip, `snow_stretch` at most: a strip takes their snow from the
+/// terrain and gives it back.
 struct SnowStretch {
   const SnowLaw* law = nullptr;
   int count = 0;
@@ -169,16 +239,19 @@ struct SnowStretch {
   float* landed = nullptr;
   const std::uint32_t* chances = nullptr;
   const std::uint32_t* hops = nullptr;
-  const std::int16_t* over = nullptr;
-  SnowCell* cells = nullptr;
-  std::int16_t* heights = nullptr;  ///< `over` in the strip
+  SnowAhead ahead;
+  // In the strip.
+  StripCell* cells = nullptr;
+  std::uint16_t* powers = nullptr;
+  std::uint32_t* polled_chances = nullptr;
 };
 
 struct SnowKernels {
   /// Returns the longest mean hop, in 1/64 rows.
   std::uint32_t (*weather)(const SnowLaw& law, const SnowWeatherRow& row);
   void (*rest)(const SnowLaw& law, const SnowRestRow& row);
-  /// Finds the slabs that lift from a block, and takes them off their cells.
+  void (*draw_polls)(const SnowPollDraw& draw, const SnowLines& lines);
+  /// Finds the slabs that lift from polled cells, and takes them off these.
   void (*lift)(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, SnowLifts& lifts);
   /// Puts them into the air.
   void (*launch)(const SnowLifts& lifts, SnowAir& air);
@@ -190,13 +263,13 @@ struct SnowKernels {
   void (*draw_rows)(std::uint32_t sweep_key, int first_row, std::uint64_t* row_words);
   void (*take_snow)(const SnowStretch& stretch);
   void (*give_snow)(const SnowStretch& stretch);
-  /// Finds the runs of `count` cells that lie side by side, 64 at most: rows until higher ground, looking `reach` rows
-  /// ahead; `unhindered_run` where there is none. `over` has `next_row` from a cell to that in the next row.
-  void (*find_runs)(const std::int16_t* over, int next_row, int clearance_16, int reach, SnowCell* cells, int count);
   /// Which of `count` surfaces in `a` (64 at most) stand more than `step` over or under those in `b`, as bits. Ground
   /// may be null where it is level.
   std::uint64_t (*find_steep)(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
                               const std::int32_t* snow_b, int count, int step);
+  /// The same of any number: for each block of 64 whether there is one, 0 or 1.
+  void (*find_steep_blocks)(const std::int32_t* ground_a, const std::int32_t* snow_a, const std::int32_t* ground_b,
+                            const std::int32_t* snow_b, int count, int step, std::uint8_t* blocks);
   void (*strength)(const SnowLaw& law, const SnowStrengthRow& row, StrengthLattice& lattice);
   void (*survey)(const std::int32_t* bedrock, const std::int32_t* mobile, int count, SnowHeights& heights);
   /// height = surface over `low`

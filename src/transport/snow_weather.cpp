@@ -13,6 +13,16 @@ namespace {
 constexpr int rows_at_once = 64;                // that are followed for shadow together
 constexpr std::int32_t no_shadow = -(1 << 24);  // lower than any surface, fixed point
 
+/// Cells that lie side by side in the terrain go through the rows of a tile, from line to line as these drift.
+void take_crosswise(const std::uint16_t* __restrict from, std::ptrdiff_t step, int count, const int* __restrict drifted,
+                    std::uint16_t* __restrict tile) {
+  for (int i = 0; i < count; ++i) tile[i * snow_lines + drifted[0] - drifted[i]] = from[i * step];
+}
+void give_crosswise(const std::uint8_t* __restrict tile, const int* __restrict drifted, int count,
+                    std::uint8_t* __restrict to, std::ptrdiff_t step) {
+  for (int i = 0; i < count; ++i) to[i * step] = tile[i * snow_lines + drifted[0] - drifted[i]];
+}
+
 }  // namespace
 
 /// Rows of lines side by side.
@@ -128,8 +138,7 @@ void SnowMachine::shade_lines(int first, int lines, double shadow_fall) {
     for_tile(begin, end, lines, tile, [&](int k, int line, std::size_t cell, std::ptrdiff_t step, int count) {
       const std::uint16_t* from = height_.data() + cell;
       if (along_x()) {
-        const int there = line + tile.drifted[k];
-        for (int i = 0; i < count; ++i) tile.height[k + i][there - tile.drifted[k + i]] = from[i * step];
+        take_crosswise(from, step, count, tile.drifted + k, tile.height[k] + line);
       } else {
         for (int i = 0; i < count; ++i) tile.height[k][line + i] = from[i * step];
       }
@@ -146,8 +155,7 @@ void SnowMachine::shade_lines(int first, int lines, double shadow_fall) {
     for_tile(begin, end, lines, tile, [&](int k, int line, std::size_t cell, std::ptrdiff_t step, int count) {
       std::uint8_t* to = dark_.data() + cell;
       if (along_x()) {
-        const int there = line + tile.drifted[k];
-        for (int i = 0; i < count; ++i) to[i * step] = tile.dark[k + i][there - tile.drifted[k + i]];
+        give_crosswise(tile.dark[k] + line, tile.drifted + k, count, to, step);
       } else {
         for (int i = 0; i < count; ++i) to[i * step] = tile.dark[k][line + i];
       }

@@ -27,6 +27,10 @@ inline std::vector<Case> snow_cases() {
     world.inflow = 0.7;
     return world;
   };
+  const auto crowded = [](World world) {  // thousands of slabs come down in one cell at the same time
+    world.inflow = 40000;
+    return world;
+  };
   const auto pattern = [&](World world, const char* name) {
     return with(std::move(world), "strength", std::string(name));
   };
@@ -59,6 +63,7 @@ inline std::vector<Case> snow_cases() {
       scene("open", open(drifting({64, 40}, 90))),
       scene("open, oblique, rocks", open(drifting({41, 67}, 20)), 60),
       scene("open, oblique, wide, K 4", open(drifting({90, 33}, 310)), 0, 4, 4),
+      scene("open, crowds, K 2", crowded(open(with(drifting({5, 12}, 270), "hop_factor", 20.0))), 0, 1, 2),
       scene("no rocks in the way", with(drifting({40, 40}, 200), "obstacles", false), 200),
       scene("no snowfall, no drift off", with(with(drifting({48, 33}, 300), "snowfall", 0.0), "suspension", 0.0)),
       scene("steep", with(tall(drifting({33, 31}, 260), 0.6), "repose_angle", 20.0), 0, 3),
