@@ -8,9 +8,9 @@ class Conveyor {
       : plan_(plan),
         strip_(strip),
         lanes_((strip.lines + 63) / 64 * 64),
-        shades_beside_(plan.adjacent_fall >> fixed_point_bits != plan.row_fall >> fixed_point_bits),
         walk_(plan.layout, plan.drift, plan.phase, strip.first, strip.lines),
         draws_(strip.first, lanes_),
+        shadow_(plan, strip),
         flight_(plan, strip, draws_, lanes_) {
     std::memset(&row_, 0, sizeof row_);
     std::memset(polls_, 0, sizeof polls_);
@@ -29,7 +29,7 @@ class Conveyor {
       if (row_in_block == 0) draw_polls(y, block);
       read_row(y);
       if (plan_.open) cross_open_edges(y);
-      find_shadow();
+      shadow_.cast(row_, lanes_);
       decide(y, static_cast<Lane>(row_in_block));
       if (strip_.counts.crowded) return;
       write_row();
@@ -49,7 +49,7 @@ class Conveyor {
     std::memset(strip_.target, 0xff, sizeof strip_.target);
     for (std::int64_t flown = plan_.layout.length; flown <= strip_.last_arrival; ++flown) {
       read_row(flown);
-      find_shadow();
+      shadow_.cast(row_, lanes_);
       if (flown > last_free_row) std::memset(row_.dark, 0xff, sizeof row_.dark);
       decide(flown, 0);
       if (strip_.counts.crowded) return;
@@ -59,7 +59,6 @@ class Conveyor {
   }
 
  private:
-  using Shadow = typename Strip<Lane>::Shadow;
   static constexpr Lane all_ones = static_cast<Lane>(~Lane{0});
 
   // --- lines and rows ---
@@ -82,6 +81,7 @@ class Conveyor {
     const std::size_t row =
         static_cast<std::size_t>(strip_.next_block) * static_cast<std::size_t>(plan_.layout.length) +
         static_cast<std::size_t>(walk_.y());
+    // The last lanes stand in the next strip's places.
     const Lane* beyond = plan_.before_firsts + row * first_places + own + walk_.lead() - strip_.lines;
     for (int lane = own; lane < strip_.lines; ++lane) row_.height[lane] = beyond[lane - own];
   }
@@ -142,36 +142,8 @@ class Conveyor {
     walk_.start(-static_cast<std::int64_t>(plan_.warm_up));
     for (int left = plan_.warm_up; left > 0; --left) {
       walk_.copy_in(row_.height, plan_.before);
-      find_shadow();
+      shadow_.cast(row_, lanes_);
       walk_.go_on();
-    }
-  }
-
-  /// Which lanes lie in shadow, and the shadow line for the next row.
-  void find_shadow() {
-    const Lane* __restrict height = row_.height;
-    Lane* __restrict dark = row_.dark;
-    Shadow* __restrict line = strip_.line;
-    const Shadow fall = static_cast<Shadow>(plan_.row_fall);
-    if (!shades_beside_) {
-      ERG_EACH(i, lanes_) {
-        const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
-        dark[i] = top < line[i] ? all_ones : Lane{0};
-        const Shadow higher = top > line[i] ? top : line[i];
-        line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
-      }
-      return;
-    }
-    Lane* __restrict upwind = strip_.upwind;
-    const Lane stands_clear = static_cast<Lane>(plan_.adjacent_fall >> fixed_point_bits);
-    ERG_EACH(i, lanes_) {
-      const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
-      const Lane shaded_below = static_cast<Lane>((upwind[i] > stands_clear ? upwind[i] : stands_clear) - stands_clear);
-      dark[i] =
-          static_cast<Lane>((top < line[i] ? all_ones : Lane{0}) | (height[i] < shaded_below ? all_ones : Lane{0}));
-      const Shadow higher = top > line[i] ? top : line[i];
-      line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
-      upwind[i] = height[i];
     }
   }
 
@@ -401,11 +373,9 @@ class Conveyor {
   const SweepPlan<Lane>& plan_;
   Strip<Lane>& strip_;
   const int lanes_;  // strip_.lines rounded up to whole vectors; the lanes beyond hold no sand and are never polled
-  // The shadow line falls less to the next row than along the wind. Heights are whole, so that it matters only where it
-  // is by a whole slab.
-  const bool shades_beside_;
   LineWalk walk_;
   const LineDraws<Lane> draws_;
+  ShadowLine<Lane> shadow_;
   Flight<Lane> flight_;
   std::uint32_t most_landed_ = 0;
   bool any_leaving_ = false;

@@ -18,6 +18,8 @@ namespace {
 
 #include "transport/sweep_row.inl"
 
+#include "transport/sweep_shadow.inl"
+
 #include "transport/sweep_flight.inl"
 
 #include "transport/sweep_conveyor.inl"
