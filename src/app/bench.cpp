@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <thread>
 #include <typeinfo>
@@ -16,10 +17,10 @@
 namespace erg {
 namespace {
 
-constexpr int growing_steps = 300;       // enough for dunes to stand
-constexpr int hashed_steps = 2;          // also warms caches up
-constexpr int repeats = 20;              // the best of them counts
-constexpr double repeat_seconds = 0.15;  // short, so that executors share the machine's good and bad moments
+constexpr int growing_steps = 300;     // enough for dunes to stand
+constexpr int hashed_steps = 2;        // also warms caches up
+constexpr int turns = 20;              // of each that is measured
+constexpr double turn_seconds = 0.15;  // short, so that all share the machine's good and bad moments
 constexpr std::uint64_t bench_seed = 1;
 
 /// What all executors of a comparison start from.
@@ -61,7 +62,7 @@ class Contestant {
     describe(row_);
   }
 
-  void run_repeat() {
+  void take_turn() {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     std::int64_t polls = 0;
@@ -69,17 +70,20 @@ class Contestant {
     do {
       polls += step();
       seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    } while (seconds < repeat_seconds);
-    row_.polls_per_second = std::max(row_.polls_per_second, static_cast<double>(polls) / seconds);
+    } while (seconds < turn_seconds);
+    rates_.push_back(static_cast<double>(polls) / seconds);
   }
 
   const BenchRow& row() const { return row_; }
+  /// Polls a second in each turn.
+  const std::vector<double>& rates() const { return rates_; }
 
  private:
   virtual std::int64_t step() = 0;
   virtual void describe(BenchRow& row) = 0;
 
   BenchRow row_;
+  std::vector<double> rates_;
 };
 
 /// `Run`: LawRun or ModelRun.
@@ -154,27 +158,39 @@ void enter(Contest& contest, const Stage& scene, double bearing, const std::vect
   for (const ExecutorOptions& options : executors) one(options);
 }
 
-/// Measures all in turns, so that each has its share of the machine's good moments, and sets each beside its
-/// references.
+/// The median over turns of how one ran beside another in the same turn: on a busy machine two best turns may stem from
+/// moments that have nothing in common.
+double median_ratio(const std::vector<double>& rates, const std::vector<double>& reference) {
+  std::vector<double> ratios(rates.size());
+  std::ranges::transform(rates, reference, ratios.begin(), std::divides<>());
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::ranges::nth_element(ratios, middle);
+  return *middle;
+}
+
+/// Measures all in turns and sets each beside its references.
 std::vector<BenchRow> measure_in_turns(const std::string& model, const Contest& contest) {
   std::fprintf(stderr, "bench: measuring %s\n", model.c_str());
   for (const auto& contestant : contest) contestant->run_hashed_steps();
-  for (int i = 0; i < repeats; ++i) {
-    for (const auto& contestant : contest) contestant->run_repeat();
+  for (int i = 0; i < turns; ++i) {
+    for (const auto& contestant : contest) contestant->take_turn();
   }
   std::vector<BenchRow> rows;
+  const std::vector<double>* serial = nullptr;
   for (const auto& contestant : contest) {
-    rows.push_back(contestant->row());
-    rows.back().model = model;
-  }
-  double serial = 0;
-  for (BenchRow& row : rows) {
-    if (row.sweeps == 0) serial = row.polls_per_second;
-    row.serial_polls_per_second = serial;
-    for (const BenchRow& plain : rows) {
-      const bool same_executor = plain.sweeps == row.sweeps && plain.threads == row.threads;
-      if (plain.scene == rows.front().scene && same_executor) row.plain_polls_per_second = plain.polls_per_second;
+    BenchRow row = contestant->row();
+    if (row.sweeps == 0) serial = &contestant->rates();
+    row.model = model;
+    row.polls_per_second = std::ranges::max(contestant->rates());
+    row.serial_polls_per_second = std::ranges::max(*serial);
+    row.times_serial = median_ratio(contestant->rates(), *serial);
+    for (const auto& plain : contest) {
+      const bool same_executor = plain->row().sweeps == row.sweeps && plain->row().threads == row.threads;
+      if (plain->row().scene == contest.front()->row().scene && same_executor) {
+        row.of_plain = median_ratio(contestant->rates(), plain->rates());
+      }
     }
+    rows.push_back(std::move(row));
   }
   return rows;
 }

@@ -37,11 +37,12 @@ struct BenchRow {
   int ny = 0;
   std::string executor;
   int threads = 1;
-  double bearing = 270;  ///< degrees
-  int sweeps = 0;        ///< 0 for serial, which has none
-  double polls_per_second = 0;
-  double serial_polls_per_second = 0;  ///< the reference on the same scene, measured between the same repeats
-  double plain_polls_per_second = 0;   ///< the same executor on the model's plain scene under the straight wind
+  double bearing = 270;                ///< degrees
+  int sweeps = 0;                      ///< 0 for serial, which has none
+  double polls_per_second = 0;         ///< in the best turn
+  double serial_polls_per_second = 0;  ///< the reference on the same scene, in its best turn
+  double times_serial = 0;             ///< the median over the turns of the ratio to the reference in the same turn
+  double of_plain = 0;                 ///< the same to this executor on the model's plain scene under the straight wind
   std::uint64_t hash = 0;              ///< of the terrain after the same few steps in every row of a scene
 };
 
