@@ -296,7 +296,7 @@ ModelType snow_sintering() {
            .seconds_a_step = "time_step"},
           snow_sintering_parameters(),
           snow_sintering_fields(),
-          45,  // heights, weather and the strips of SnowMachine
+          22,  // heights and weather of SnowMachine; its strips are one for each thread
           [](const ParameterValues& values) { return std::make_unique<SnowSintering>(values); },
           explain_sintering};
 }
