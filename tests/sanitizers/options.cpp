@@ -1,5 +1,5 @@
-// What the sanitizers are to know; part of every program built with one, so that it holds however the program is started.
-// They look these functions up by name. What the environment says (ASAN_OPTIONS ...) comes on top.
+// What the sanitizers are to know; part of every program built with one, so that it holds however the program is
+// started. They look these functions up by name. What the environment says (ASAN_OPTIONS ...) comes on top.
 
 extern "C" {
 
