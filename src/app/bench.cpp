@@ -19,7 +19,6 @@ namespace {
 
 constexpr int growing_steps = 300;     // enough for dunes to stand
 constexpr int hashed_steps = 2;        // also warms caches up
-constexpr int turns = 20;              // of each that is measured
 constexpr double turn_seconds = 0.15;  // short, so that all share the machine's good and bad moments
 constexpr std::uint64_t bench_seed = 1;
 
@@ -172,7 +171,7 @@ double median_ratio(const std::vector<double>& rates, const std::vector<double>&
 std::vector<BenchRow> measure_in_turns(const std::string& model, const Contest& contest) {
   std::fprintf(stderr, "bench: measuring %s\n", model.c_str());
   for (const auto& contestant : contest) contestant->run_hashed_steps();
-  for (int i = 0; i < turns; ++i) {
+  for (int i = 0; i < bench_turns; ++i) {
     for (const auto& contestant : contest) contestant->take_turn();
   }
   std::vector<BenchRow> rows;

@@ -29,6 +29,9 @@ int bench_threads(const BenchOptions& options);
 /// would change of it.
 Config bench_config(const std::string& model, int side, const std::vector<std::string>& settings = {});
 
+/// Turns that each of those who are measured takes.
+inline constexpr int bench_turns = 20;
+
 /// One measured executor on one scene.
 struct BenchRow {
   std::string model;

@@ -63,9 +63,8 @@ std::string table_text(const std::vector<BenchRow>& rows, const std::string& exe
                           fixed_text(row.polls_per_second / million, 1), fixed_text(row.times_serial, 1),
                           fixed_text(row.of_plain, 2)});
   }
-  return table.aligned() +
-         "\nMillion polls a second in the best of 20 turns. Ratios are medians over the turns; of plain: to the same "
-         "executor on the\nmodel's first scene.\n";
+  return table.aligned() + "\nMillion polls a second in the best of " + std::to_string(bench_turns) +
+         " turns. Ratios are medians over the turns; of plain: to the same executor on the\nmodel's first scene.\n";
 }
 
 bool flies_grains(const ModelType& type) {

@@ -24,6 +24,13 @@ SlideTile tile_number(int number, int length) {
   return {number / rows, row * tile_rows, row + 1 == rows ? length : (row + 1) * tile_rows};
 }
 
+/// By how many strips of so many lines a line has drifted, to the nearest, where it comes over the torus edge.
+template <typename Lane>
+int strips_over_edge(const SweepPlan<Lane>& plan, int lines) {
+  const int length = plan.layout.length;
+  return (line_offset(length, plan.drift, plan.phase, length) + lines / 2) / lines;
+}
+
 }  // namespace
 
 ParallelExecutor::ParallelExecutor(const ExecutorOptions& options)
@@ -136,9 +143,7 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
       meet_unless(apart);
     }
     // For the same reason it carries those strips that come over the torus edge into its own, or nearly so.
-    const int lines = mine.strips.front().lines;
-    const int over = static_cast<int>(
-        (line_offset(layout_.length, plan.drift, plan.phase, layout_.length) + lines / 2) / lines % strips);
+    const int over = strips_over_edge(plan, mine.strips.front().lines) % strips;
     for (int k = first_strip; k < end_strip; ++k) {
       Strip<Lane>& strip = mine.strips[static_cast<std::size_t>((k + strips - over) % strips)];
       if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);

@@ -34,9 +34,9 @@ struct Overhang {
 };
 
 /// Places at the start of each row of a block that are kept packed together, for the strip before it to read: in their
-/// places they lie in a cache line a row that their own thread writes to all the time. most_lead, and one to fill a
+/// places they lie in a cache line a row that their own thread writes to all the time. One more than needed, to fill a
 /// word.
-inline constexpr int first_places = 4;
+inline constexpr int first_places = most_lead + 1;
 
 /// Everything that all strips of a sub-sweep share: what was drawn for it, and where it works. `Lane` counts slabs: 8
 /// or 16 bits.
