@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <future>
-#include <thread>
 
 #include "app/presets.h"
 #include "app/progress.h"
 #include "app/text_table.h"
+#include "core/allowance.h"
 #include "io/config_file.h"
 
 namespace erg {
@@ -61,7 +61,7 @@ std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor
                count_text(seeds, "seed").c_str());
   // As many runs as there are processors go side by side, each on one thread: none waits for another.
   set_from_text(seeded, "run.threads=1");
-  const int side_by_side = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int side_by_side = allowed_threads();
   std::vector<SeedRun> runs;
   for (int first = 1; first <= seeds; first += side_by_side) {
     std::vector<std::future<SeedRun>> batch;
