@@ -1,5 +1,7 @@
 #include "core/exact_text.h"
 
+#include <cstdio>
+
 #include <charconv>
 
 namespace erg {
@@ -7,6 +9,12 @@ namespace erg {
 std::string exact_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string hash_text(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
 }
 
 }  // namespace erg

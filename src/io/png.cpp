@@ -121,6 +121,16 @@ void write_png(const std::filesystem::path& path, const GreyImage& image, const 
   write_file_atomically(path, encode_png({image.width, image.height, 16, 1, image.pixels.data()}, entries, path));
 }
 
+void write_run_png(const std::filesystem::path& path, const RgbImage& image, const Provenance& provenance) {
+  keep_config_beside(path, provenance);
+  write_png(path, image, metadata(provenance));
+}
+
+void write_run_png(const std::filesystem::path& path, const RgbaImage& image, const Provenance& provenance) {
+  keep_config_beside(path, provenance);
+  write_png(path, image, metadata(provenance));
+}
+
 MetadataEntries read_png_metadata(const std::filesystem::path& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) throw InputError(path.string(), "cannot be opened", "check the name and the permissions");

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_text = std::size_t{1} << 20;
+constexpr std::size_t largest_text = std::size_t{16} << 20;
 
 }  // namespace
 
@@ -36,12 +36,17 @@ std::string read_text_file(const fs::path& path, const std::string& kind) {
     if (fs::exists(path, error)) throw InputError(path.string(), "cannot read this file", std::strerror(reason));
     throw InputError(path.string(), "there is no such file", missing_file_remedy(path, "check its name and folder"));
   }
-  std::string text(largest_text + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  std::string text;
+  while (file && text.size() <= largest_text) {
+    constexpr std::size_t piece = std::size_t{1} << 16;
+    const std::size_t before = text.size();
+    text.resize(before + piece);
+    file.read(text.data() + before, piece);
+    text.resize(before + static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) throw InputError(path.string(), "cannot read this file", "check the disk");
   if (text.size() > largest_text)
-    throw InputError(path.string(), "this file is too large", "give a text of at most 1 MiB; is it the right one?");
+    throw InputError(path.string(), "this file is too large", "give a text of at most 16 MiB; is it the right one?");
   return text;
 }
 

@@ -26,7 +26,7 @@ void write_map(const fs::path& path, const RunSnapshot& run, const Provenance& s
   PictureOptions options;
   options.wind = run.last_wind;
   options.caption = find_model(run.config->model).info.title + ", step " + std::to_string(run.step);
-  write_png(path, draw_picture(*run.terrain, options), metadata(source));
+  write_run_png(path, draw_picture(*run.terrain, options), source);
 }
 
 void write_volume(const fs::path& path, const RunSnapshot& run, const Provenance& source) {

@@ -142,7 +142,7 @@ void Desktop::save_picture(const PictureOrder& order) {
   look.transparent = order.transparent;
   look.legend = shell_.scenery().legend;
   const Picture picture = land_.picture(*run, look, shell_.scenery().camera.camera(), order.size);
-  write_png(order.path, picture.image, metadata(studio_.provenance()));
+  write_run_png(order.path, picture.image, studio_.provenance());
 }
 
 bool Desktop::busy() {
