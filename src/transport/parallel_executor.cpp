@@ -15,6 +15,13 @@ namespace {
 /// The steepest fall of a shadow line that 8-bit lanes can tell from a steeper one.
 constexpr std::uint32_t narrow_shadow = 0xffff;
 
+/// Rows upwind of row 0 from which a shadow line can reach into the grid: as far as it takes to fall from the highest
+/// cell to the ground, and not beyond where the line has met every cell that it ever meets.
+int warm_up_rows(const SubSweep& sweep, int highest) {
+  const std::int64_t fall_rows = (std::int64_t{highest} << fixed_point_bits) / sweep.row_fall;
+  return static_cast<int>(std::min(fall_rows, sweep.rows_around)) + 2;
+}
+
 /// Tiles are numbered up each block, then along the blocks.
 int tile_rows_of(int length) { return std::max(1, length / tile_rows); }
 SlideTile tile_number(int number, int length) {
@@ -298,7 +305,7 @@ SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress) const {
     plan.row_fall = std::min(plan.row_fall, narrow_shadow);
     plan.adjacent_fall = std::min(plan.adjacent_fall, narrow_shadow);
   }
-  plan.warm_up = (progress.highest << fixed_point_bits) / static_cast<int>(plan.row_fall) + 2;
+  plan.warm_up = warm_up_rows(plan, progress.highest);
   plan.hop_by_height = hop_table_.size() > 1;
   plan.hop_table = hop_table_.data();
   return plan;

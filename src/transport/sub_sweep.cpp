@@ -64,6 +64,7 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
     permute_rows(key, static_cast<std::uint64_t>(round), permutations, sweep % sweeps, sweeps, drawn.polled_row);
   }
   draw_lines(frame, key, line_age, drawn);
+  drawn.rows_around = frame.width / std::gcd<std::int64_t>(frame.width, drawn.drift) * frame.length;
   drawn.p_sand_16 = static_cast<std::uint32_t>(std::llround(law.p_sand * 65536));
   drawn.p_bare_16 = static_cast<std::uint32_t>(std::llround(law.p_bare * 65536));
   drawn.lift_in_shadow = law.lift_in_shadow;
