@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "analysis/crests.h"
+#include "core/exact_text.h"
 #include "io/provenance.h"
 #include "wind/shadow.h"
 
@@ -67,12 +67,6 @@ RunStatistics MeasuredRun::statistics() {
   return numbers;
 }
 
-std::string hash_text(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
-
 std::string statistics_json(Simulation& simulation, const RunStatistics& numbers) {
   const Terrain& terrain = simulation.terrain();
   nlohmann::ordered_json object;
@@ -87,6 +81,7 @@ std::string statistics_json(Simulation& simulation, const RunStatistics& numbers
   object["seed"] = simulation.config().run.integer("seed");
   object["executor"] = simulation.executor().name();
   object["threads"] = simulation.executor().threads();
+  object["instructions"] = to_string(wanted_instruction_set());
   object["sweeps"] = simulation.config().run.integer("sweeps");
   object["max_slabs"] = numbers.shape.max_slabs;
   object["mean_slabs"] = numbers.shape.mean_slabs;

@@ -12,7 +12,6 @@ namespace erg {
 namespace {
 
 constexpr const char* default_model = "momiji";
-constexpr std::int64_t most_steps = 1'000'000'000;
 
 /// Marks all of a group as read only when the terrain is made.
 Parameters all_at_start(Parameters parameters) {
