@@ -94,15 +94,15 @@ PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view)
 
 RunView::RunView(Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
-  const double bearing = simulation.last_wind().bearing;
-  shadow_ = shadow_field(terrain, bearing, simulation.model().shadow_fall(terrain.cell_size()));
+  const WindNow wind = simulation.last_wind();
+  shadow_ = shadow_field(terrain, wind.bearing, simulation.model().shadow_fall(terrain.cell_size()));
   view_.terrain = &terrain;
   view_.fields = {&shadow_};
   if (simulation.flux() != nullptr) {
     flux_ = simulation.flux()->mean();
     view_.fields.push_back(&flux_);
   }
-  view_.wind = bearing;
+  view_.wind = wind.mean_bearing();
   view_.paths = simulation.model().paths();
   view_.material = simulation.model_type().info.material;
 }

@@ -43,7 +43,8 @@ DuneMeans shapes(const PlantScene& scene, int seed) {
   set_from_text(config, "run.seed=" + std::to_string(seed));
   Simulation simulation(config);
   while (simulation.step_count() < scene.steps && !simulation.finished()) simulation.step();
-  return mean_of_dunes(find_dunes(simulation.terrain(), simulation.last_wind().bearing, scene.least, smallest_dune));
+  return mean_of_dunes(
+      find_dunes(simulation.terrain(), simulation.last_wind().mean_bearing(), scene.least, smallest_dune));
 }
 
 std::vector<std::string> shape_row(const PlantScene& scene, int seeds) {

@@ -34,7 +34,13 @@ void add_curve(Json& json, const BezierCurve& curve) {
   json["curve"] = Json::array({point_json(curve.first), point_json(curve.second)});
 }
 
-Json season_json(const Season& season, bool snows) {
+/// What differs from the model's own wind.
+void add_swing(Json& json, const Season& season, const ModelInfo& model) {
+  if (season.spread != model.start.spread) json["spread"] = json_value(season.spread);
+  if (season.hold != Season{}.hold) json["hold"] = season.hold;
+}
+
+Json season_json(const Season& season, const ModelInfo& model) {
   Json json;
   json["bearing"] = json_value(season.bearing);
   if (season.first == season.last) {
@@ -43,8 +49,9 @@ Json season_json(const Season& season, bool snows) {
     json["first"] = json_value(season.first);
     json["last"] = json_value(season.last);
   }
+  add_swing(json, season, model);
   json["steps"] = season.steps;
-  if (snows && season.snowfall != 0) json["snowfall"] = json_value(season.snowfall);
+  if (model.asks_snowfall && season.snowfall != 0) json["snowfall"] = json_value(season.snowfall);
   add_curve(json, season.curve);
   return json;
 }
@@ -58,16 +65,20 @@ Json temperature_json(const Temperature& temperature) {
   return json;
 }
 
-Json wind_json(const Regime& wind, bool snows) {
+Json wind_json(const Regime& wind, const ModelInfo& model) {
   const Season& only = wind.seasons.front();
   Json json;
-  if (wind == Regime::constant(only.bearing, only.first)) {
+  Regime constant = Regime::constant(only.bearing, only.first);
+  constant.seasons.front().spread = only.spread;
+  constant.seasons.front().hold = only.hold;
+  if (wind == constant) {
     json["bearing"] = json_value(only.bearing);
     json["strength"] = json_value(only.first);
+    add_swing(json, only, model);
     return json;
   }
   json["seasons"] = Json::array();
-  for (const Season& season : wind.seasons) json["seasons"].push_back(season_json(season, snows));
+  for (const Season& season : wind.seasons) json["seasons"].push_back(season_json(season, model));
   return json;
 }
 
@@ -82,7 +93,7 @@ std::string config_text(const Config& config) {
   json["model"] = config.model;
   for (const ConfigGroup& group : config_groups()) {
     if (group.key == "run") {
-      json["wind"] = wind_json(config.wind, asking.asks_snowfall);
+      json["wind"] = wind_json(config.wind, asking);
       if (asking.asks_temperature && config.temperature != Temperature{})
         json["temperature"] = temperature_json(config.temperature);
     }

@@ -56,7 +56,7 @@ class Assignment {
 
   /// "grid.nx" ... of every value that can be set in a group.
   std::vector<std::string> full_keys() const {
-    std::vector<std::string> keys{"wind.bearing", "wind.strength"};
+    std::vector<std::string> keys{"wind.bearing", "wind.strength", "wind.spread", "wind.hold"};
     if (asks_temperature()) keys.insert(keys.end(), {"temperature.first", "temperature.last"});
     for (const ConfigGroup& group : config_groups()) {
       for (const Parameter& parameter : (config_.*group.values).declared()) {
@@ -106,6 +106,16 @@ class Assignment {
   }
 
   void set_wind(const std::string& key) {
+    if (key == "spread") {
+      const double spread = std::get<double>(parse_value(season_spread_parameter(), value_, place_));
+      for (Season& season : config_.wind.seasons) season.spread = spread;
+      return;
+    }
+    if (key == "hold") {
+      const auto hold = std::get<std::int64_t>(parse_value(season_hold_parameter(), value_, place_));
+      for (Season& season : config_.wind.seasons) season.hold = hold;
+      return;
+    }
     if (config_.wind.seasons.size() != 1) {
       throw InputError(place_, "the wind has " + std::to_string(config_.wind.seasons.size()) + " seasons",
                        "change them in the config");
@@ -129,8 +139,21 @@ class Assignment {
 }  // namespace
 
 Parameter strength_parameter(const ModelStart& start) {
-  return real_parameter("strength", "Strength", "", start.strength, smallest_strength, largest_strength,
-                        "Strength of the wind: cells a hop for slab models, m/s for the others.");
+  return real_parameter(
+      "strength", "Strength", "", start.strength, smallest_strength, largest_strength,
+      "Strength of the wind: cells a hop for slab models, m/s for the others. 0 is a calm: time passes, and "
+      "the wind moves nothing.");
+}
+
+Parameter season_spread_parameter(const ModelStart& start) {
+  return real_parameter("spread", "Spread", "deg", start.spread, 0, widest_spread,
+                        "How much the wind swings about its bearing: standard deviation from draw to draw.");
+}
+
+Parameter season_hold_parameter() {
+  return integer_parameter("hold", "Hold", "steps", Season{}.hold, 1, most_steps,
+                           "Time steps of the season for which the wind stays in one direction before it swings to "
+                           "the next.");
 }
 
 Parameter season_steps_parameter() {
@@ -218,7 +241,11 @@ Mistake not_asked_for(const std::string& key, const std::string& model_key) {
   return {"", in_quotes(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
 }
 
-Regime starting_wind(const ModelStart& start) { return Regime::constant(Season{}.bearing, start.strength); }
+Regime starting_wind(const ModelStart& start) {
+  Regime wind = Regime::constant(Season{}.bearing, start.strength);
+  wind.seasons.front().spread = start.spread;
+  return wind;
+}
 
 Config::Config() : Config(default_model) {}
 
@@ -268,6 +295,9 @@ void change_model(Config& config, const std::string& model_key) {
   const Season& old_start = from.wind.seasons.front();
   if (config.wind.seasons.size() == 1 && season.first == old_start.first && season.last == old_start.last) {
     season.first = season.last = to.wind.seasons.front().first;
+  }
+  for (Season& each : config.wind.seasons) {
+    if (each.spread == old_start.spread) each.spread = to.wind.seasons.front().spread;
   }
   config.model = model_key;
 }

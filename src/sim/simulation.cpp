@@ -59,7 +59,7 @@ void Simulation::start() {
 WindNow Simulation::last_wind() const { return weather(std::max<std::int64_t>(0, state_.step - 1)); }
 
 WindNow Simulation::weather(std::int64_t step) const {
-  WindNow now = config_.wind.at(step);
+  WindNow now = config_.wind.at(step, static_cast<std::uint64_t>(config_.run.integer("seed")));
   const std::int64_t last = config_.run.integer("steps") - 1;
   now.temperature = config_.temperature.at(last > 0 ? static_cast<double>(step) / static_cast<double>(last) : 0.0);
   return now;

@@ -64,6 +64,8 @@ Config random_config(std::mt19937& random) {
     season.first = 0.1 + 10 * unit();
     season.last = below(2) == 0 ? season.first : 0.1 + 10 * unit();
     season.steps = static_cast<std::int64_t>(1 + below(100));
+    season.spread = below(2) == 0 ? 0 : 60 * unit();
+    season.hold = static_cast<std::int64_t>(1 + below(9));
     if (below(2) == 0) season.curve = {{unit(), unit()}, {unit(), unit()}};
   }
   return config;
@@ -111,16 +113,31 @@ TEST_F(ConfigFile, ReadsEverything) {
   EXPECT_EQ(config.run.integer("seed"), std::int64_t{1} << 53);
   EXPECT_EQ(config.run.integer("sweeps"), 8);
   ASSERT_EQ(config.wind.seasons.size(), 2u);
-  EXPECT_EQ(config.wind.seasons[0], (Season{45, 5, 8, 80, {{0.3, 0.1}, {0.7, 0.9}}}));
-  EXPECT_EQ(config.wind.seasons[1], (Season{270, 3, 3, 2, {}}));
+  EXPECT_EQ(config.wind.seasons[0], (Season{45, 5, 8, 80, {{0.3, 0.1}, {0.7, 0.9}}, 0, natural_spread}));
+  EXPECT_EQ(config.wind.seasons[1], (Season{270, 3, 3, 2, {}, 0, natural_spread}));
 }
 
 TEST_F(ConfigFile, OneEndOfTheStrengthStandsForBoth) {
   const Config config =
       parse_config(R"({"erg": 1, "model": "momiji", "wind": {"seasons": [{"first": 7}, {"last": 8}, {}]}})", "a.json");
-  EXPECT_EQ(config.wind.seasons[0], (Season{270, 7, 7, 1, {}}));
-  EXPECT_EQ(config.wind.seasons[1], (Season{270, 8, 8, 1, {}}));
-  EXPECT_EQ(config.wind.seasons[2], Season{});
+  const std::vector<Season>& seasons = config.wind.seasons;
+  EXPECT_EQ(std::pair(seasons[0].first, seasons[0].last), std::pair(7.0, 7.0));
+  EXPECT_EQ(std::pair(seasons[1].first, seasons[1].last), std::pair(8.0, 8.0));
+  EXPECT_EQ(seasons[2], Config("momiji").wind.seasons.front());
+}
+
+TEST_F(ConfigFile, ASpreadStandsBesideAConstantWindOrInASeason) {
+  const Config constant =
+      parse_config(R"({"erg": 1, "model": "grains", "wind": {"bearing": "N", "spread": 25, "hold": 9}})", "a.json");
+  EXPECT_EQ(constant.wind.seasons,
+            (std::vector<Season>{{.bearing = 0, .first = 10, .last = 10, .curve = {}, .spread = 25, .hold = 9}}));
+  const Config seasons =
+      parse_config(R"({"erg": 1, "model": "momiji", "wind": {"seasons": [{"spread": 0}, {"hold": 2}]}})", "a.json");
+  EXPECT_EQ(seasons.wind.seasons,
+            (std::vector<Season>{{.curve = {}, .spread = 0}, {.curve = {}, .spread = natural_spread, .hold = 2}}));
+  EXPECT_EQ(mistakes(R"({"erg": 1, "model": "momiji", "wind": {"spread": -1, "hold": 0.5}})"),
+            "a.json:1: spread is -1; expected 0 to 60 deg\n"
+            "a.json:1: hold is 0.5; expected a whole number, 1 to 1000000000 steps");
 }
 
 TEST_F(ConfigFile, ReportsEveryMistakeAtOnceWhereItStands) {
