@@ -1,7 +1,7 @@
 // Shapes of dunes among plants: how long and wide, and which way their arms point.
 #include <cstdio>
 
-#include "analysis/dune_patches.h"
+#include "analysis/dune_outlines.h"
 #include "app/presets.h"
 #include "app/sample.h"
 #include "app/text_table.h"
@@ -10,8 +10,6 @@
 
 namespace erg {
 namespace {
-
-constexpr std::int64_t smallest_dune = 30;  // cells
 
 struct PlantScene {
   const char* name;
@@ -43,7 +41,8 @@ DuneMeans shapes(const PlantScene& scene, int seed) {
   set_from_text(config, "run.seed=" + std::to_string(seed));
   Simulation simulation(config);
   while (simulation.step_count() < scene.steps && !simulation.finished()) simulation.step();
-  return mean_of_dunes(find_dunes(simulation.terrain(), simulation.last_wind().bearing, scene.least, smallest_dune));
+  const DuneRule rule{.base = 0, .least = scene.least};
+  return mean_of_dunes(find_dunes(simulation.terrain(), simulation.last_wind().bearing, rule).dunes);
 }
 
 std::vector<std::string> shape_row(const PlantScene& scene, int seeds) {
@@ -67,7 +66,7 @@ std::string plants_section(const ValidationOptions& options) {
   table.heading = {"scene", "step", "dune from, slabs", "dunes", "length / width", "arms"};
   for (const PlantScene& scene : plant_scenes()) table.rows.push_back(shape_row(scene, seeds));
   return "## Shapes of dunes among plants\n\nThe presets of `cfg/` on `cpu`, mean over " + count_text(seeds, "seed") +
-         ", spread over the seeds in brackets. A dune is a patch of at least " + std::to_string(smallest_dune) +
+         ", spread over the seeds in brackets. A dune is a patch of at least " + std::to_string(DuneRule{}.smallest) +
          " cells whose sand is as thick as the third column says; length along the wind, width across it. Arms: mean "
          "of x y^2 over its spreads, x downwind and y across from the dune's middle; negative where the sides lie "
          "upwind of the middle (parabolic), positive where they lie downwind (barchan), 0 for an ellipse.\n\n" +
