@@ -1,6 +1,8 @@
 // The section of laws of nature: which there are, and what their rows share.
 #include "app/validation_nature.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "core/joined.h"
@@ -14,8 +16,11 @@ struct NatureLaw {
 };
 
 constexpr NatureLaw nature_laws[] = {
-    {"crests", crests_under_two_winds}, {"speed", speed_against_height},       {"growth", growth_of_crests},
+    {"crests", crests_under_two_winds}, {"speed", speed_against_height},
+    {"barchans", barchan_shape},        {"collision", barchan_collision},
+    {"stars", star_dune_arms},          {"growth", growth_of_crests},
     {"ripples", ripples_against_wind},  {"sintering", sintering_slows_mounds},
+    {"plants", plants_make_shapes},
 };
 
 }  // namespace
@@ -61,13 +66,30 @@ double power_law(const std::vector<double>& x, const std::vector<double>& y) {
   return (n * sum_ab - sum_a * sum_b) / (n * sum_aa - sum_a * sum_a);
 }
 
-Config nature_config(const std::string& title, const std::string& model, const std::vector<std::string>& settings) {
+Config nature_config(const std::string& model, const std::vector<std::string>& settings) {
   Config config(model);
-  config.title = title;
   for (const std::string& setting : settings) set_from_text(config, setting);
   set_from_text(config, "run.executor=cpu");
   set_from_text(config, "run.threads=1");
   return config;
+}
+
+Simulation lone_cones(const Config& config, const std::vector<Cone>& cones) {
+  Simulation simulation(config);
+  Grid<std::int32_t>& sand = simulation.edit_terrain().edit_mobile();
+  for (const Cone& cone : cones) {
+    const double radius = cone.height * cells_wide_a_slab / 2;
+    const auto reach = static_cast<int>(std::ceil(radius));
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const double thick = cone.height * (1 - std::hypot(dx, dy) / radius);
+        std::int32_t& cell = sand(wrap(cone.x + dx, sand.nx()), wrap(cone.y + dy, sand.ny()));
+        cell = std::max(cell, static_cast<std::int32_t>(std::lround(thick)));
+      }
+    }
+  }
+  simulation.book_edit();
+  return simulation;
 }
 
 void say_measuring(const std::string& law, int runs) {

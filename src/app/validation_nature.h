@@ -37,8 +37,20 @@ std::string verdict(double error, double bound);
 /// The exponent n of y ~ x^n: slope of the least-squares line through the logarithms of `x` and `y`, both positive.
 double power_law(const std::vector<double>& x, const std::vector<double>& y);
 
-/// A config of `model` with these settings, for `cpu` on one thread. `title` is what progress calls it.
-Config nature_config(const std::string& title, const std::string& model, const std::vector<std::string>& settings);
+/// A config of `model` with these settings, for `cpu` on one thread.
+Config nature_config(const std::string& model, const std::vector<std::string>& settings);
+
+/// A heap of sand on bare ground: its middle (cells) and height (slabs of a third of a cell).
+struct Cone {
+  int x;
+  int y;
+  int height;
+};
+/// How wide such a heap is, cells for each slab of height: three times as wide as high, at just under its repose.
+inline constexpr double cells_wide_a_slab = 1;
+
+/// A run of `config`, whose scene has no sand, that begins with these heaps as cones.
+Simulation lone_cones(const Config& config, const std::vector<Cone>& cones);
 
 /// Says on standard error what is measured now.
 void say_measuring(const std::string& law, int runs);

@@ -18,7 +18,7 @@ struct GrowthRun {
 
 GrowthRun growth_run(const std::string& model, const std::vector<int>& watch, int seed) {
   Simulation simulation(
-      nature_config("", model, {"grid.nx=256", "grid.ny=256", "scene.sand=10", "run.seed=" + std::to_string(seed)}));
+      nature_config(model, {"grid.nx=256", "grid.ny=256", "scene.sand=10", "run.seed=" + std::to_string(seed)}));
   GrowthRun run;
   for (const int last : watch) {
     while (simulation.step_count() < last) simulation.step();
@@ -34,9 +34,8 @@ GrowthRun growth_run(const std::string& model, const std::vector<int>& watch, in
 double one_crest_at(const std::string& model, int last, int seed) {
   constexpr int side = 96;
   constexpr int every = 100;
-  Simulation simulation(nature_config("", model,
-                                      {"grid.nx=" + std::to_string(side), "grid.ny=" + std::to_string(side),
-                                       "scene.sand=10", "run.seed=" + std::to_string(seed)}));
+  Simulation simulation(nature_config(model, {"grid.nx=" + std::to_string(side), "grid.ny=" + std::to_string(side),
+                                              "scene.sand=10", "run.seed=" + std::to_string(seed)}));
   while (simulation.step_count() < last) {
     for (int step = 0; step < every; ++step) simulation.step();
     const double spacing = crest_spacing(coarse_surface(simulation.terrain(), Layer::surface), 270);

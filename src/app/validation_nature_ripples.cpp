@@ -14,9 +14,8 @@ struct RippleRun {
 
 RippleRun ripple_run(double friction, const std::vector<int>& watch, int seed) {
   Simulation simulation(
-      nature_config("", "grains",
-                    {"grid.nx=256", "grid.ny=32", "strength_is=friction_velocity",
-                     "wind.strength=" + fixed_text(friction, 2), "run.seed=" + std::to_string(seed)}));
+      nature_config("grains", {"grid.nx=256", "grid.ny=32", "strength_is=friction_velocity",
+                               "wind.strength=" + fixed_text(friction, 2), "run.seed=" + std::to_string(seed)}));
   RippleRun run;
   for (const int last : watch) {
     while (simulation.step_count() < last) simulation.step();

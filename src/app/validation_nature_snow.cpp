@@ -23,7 +23,7 @@ struct MoundSpeeds {
 
 MoundSpeeds mound_run(const Mound& mound, bool bonds, int hours, int seed) {
   Simulation simulation(nature_config(
-      "", "snow_sintering",
+      "snow_sintering",
       {"grid.nx=160", "grid.ny=96", "grid.cell_size=0.1", "scene.kind=cone", "scene.sand=0",
        std::string("scene.height=") + mound.height, "scene.radius=" + std::to_string(mound.radius), "wind.strength=9",
        bonds ? "bonding_time=12" : "bonding_time=1000000", "run.seed=" + std::to_string(seed)}));
