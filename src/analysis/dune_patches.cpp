@@ -86,6 +86,7 @@ DunePatch measure_patch(const std::vector<Place>& cells, double bearing) {
 }  // namespace
 
 std::vector<DunePatch> find_dunes(const Terrain& terrain, double bearing, int least, std::int64_t smallest) {
+  check_whole(terrain);
   Patches patches(terrain, least);
   std::vector<DunePatch> dunes;
   for (int y = 0; y < terrain.ny(); ++y) {
