@@ -1,24 +1,15 @@
 #include "app/options.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 #include <vector>
 
 #include "core/errors.h"
+#include "core/exact_text.h"
 #include "transport/executor.h"
 
 namespace erg {
 namespace {
-
-template <typename Number>
-std::optional<Number> all_of(const std::string& text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return value;
-}
 
 /// The program and the commands that were named, with the groups of their options.
 std::vector<const CLI::App*> used(const CLI::App& program) {
@@ -37,7 +28,7 @@ std::vector<const CLI::App*> used(const CLI::App& program) {
 CLI::Validator whole_number(std::int64_t least, std::int64_t most) {
   const std::string range = std::to_string(least) + " to " + std::to_string(most);
   return {[=](std::string& text) {
-            const auto value = all_of<std::int64_t>(text);
+            const auto value = number_from<std::int64_t>(text);
             if (value && *value >= least && *value <= most) return std::string();
             return "is " + in_quotes(text) + "; expected a whole number, " + range;
           },
@@ -46,7 +37,7 @@ CLI::Validator whole_number(std::int64_t least, std::int64_t most) {
 
 CLI::Validator finite_number() {
   return {[](std::string& text) {
-            const auto value = all_of<double>(text);
+            const auto value = number_from<double>(text);
             return value && std::isfinite(*value) ? std::string() : "is " + in_quotes(text) + "; expected a number";
           },
           "", "finite_number"};

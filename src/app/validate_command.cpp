@@ -22,13 +22,10 @@ struct Section {
 };
 
 constexpr Section sections[] = {
-    {"published", published_section},
-    {"executors", executors_section},
-    {"bearings", bearings_section},
-    {"ripples", ripples_section},
-    {"plants", plants_section},
-    {"snow", snow_section},
-    {"identities", [](const ValidationOptions&) { return identities_section(); }},
+    {"published", published_section}, {"executors", executors_section},
+    {"bearings", bearings_section},   {"ripples", ripples_section},
+    {"plants", plants_section},       {"snow", snow_section},
+    {"nature", nature_section},       {"identities", [](const ValidationOptions&) { return identities_section(); }},
 };
 
 std::vector<std::string> section_names() {
@@ -37,9 +34,11 @@ std::vector<std::string> section_names() {
   return names;
 }
 
-void check_scene(const std::string& scene, const std::string& section) {
-  if (scene.empty() || section == "published") return;
-  throw InputError("--scene " + scene, "is a row of the section published", "add --section published");
+/// A choice within a section needs that section.
+void check_choice(const std::string& option, const std::string& value, const std::string& kind,
+                  const std::string& needed, const std::string& section) {
+  if (value.empty() || section == needed) return;
+  throw InputError(option + " " + value, "is a " + kind + " of the section " + needed, "add --section " + needed);
 }
 
 std::string validation_document(const ValidationOptions& options) {
@@ -67,10 +66,13 @@ void add_validate_command(CLI::App& program, Action& action) {
       ->check(one_of(section_names()));
   command->add_option("--scene", options->validation.scene, "With --section published: only the row of this preset")
       ->check(one_of(published_presets()));
+  command->add_option("--law", options->validation.law, "With --section nature: only the table of this law")
+      ->check(one_of(nature_law_names()));
   add_instructions_option(*command);
   command->callback([&action, options] {
     action = [options] {
-      check_scene(options->validation.scene, options->section);
+      check_choice("--scene", options->validation.scene, "row", "published", options->section);
+      check_choice("--law", options->validation.law, "table", "nature", options->section);
       check_output("--out", options->out);
       std::string document;
       for (const Section& section : sections) {

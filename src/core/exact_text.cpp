@@ -2,8 +2,6 @@
 
 #include <cstdio>
 
-#include <charconv>
-
 namespace erg {
 
 std::string exact_text(double value) {

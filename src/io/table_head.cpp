@@ -5,7 +5,7 @@
 
 #include "core/errors.h"
 #include "io/config_file.h"
-#include "io/text_file.h"
+#include "io/given_file.h"
 
 namespace erg {
 namespace {
