@@ -196,7 +196,8 @@ StepReport DeviceSlabs::step(const SlabLaw& law, const WindFrame& frame, double 
   SlabCounts counts;
   int idle = 0;
   for (int number = 0; goes_on(law, number, idle, counts.of[tally_lifts], cells(), sweeps_); ++number) {
-    plan.sweep = sub_sweep(law, frame_, open_, key, number, sweeps_);
+    if (!law.repeated_polling && number % sweeps_ == 0) polled_rows_.draw(key, number, sweeps_);
+    plan.sweep = sub_sweep(law, frame_, open_, key, number, sweeps_, polled_rows_);
     sweep(plan);
     slide(plan, law);
     std::swap(before_, after_);

@@ -46,6 +46,7 @@ class DeviceSlabs {
 
   Device& device_;
   int sweeps_;
+  PolledRows polled_rows_;  // of the round under way
   WindFrame frame_;
   bool open_ = false;
   bool relief_ = false;

@@ -128,8 +128,10 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
   // What members show each other lies in two places in turn: no member is more than one meeting ahead of another.
   for (int turn = 0; goes_on(progress) && ring_rows(progress.highest) <= rows; turn = 1 - turn) {
     SweepPlan<Lane> plan = sweep_plan<Lane>(progress);
+  if (!progress.law->repeated_polling && progress.sweep % options_.sweeps != 0) draw_round(progress, member);
     plan.before = before;
     plan.after = after;
+    if (!progress.law->repeated_polling && progress.sweep % options_.sweeps == 0) draw_round(progress, member);
     plan.ring_rows = rows;
     plan.lifted = lifted_.empty() ? nullptr : lifted_.data();
     for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
@@ -171,6 +173,13 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
 void ParallelExecutor::meet_unless(bool apart) {
   if (!apart) team_.meet();
 }
+/// What a round of non-repeated polling draws; each member takes a part of it.
+void ParallelExecutor::draw_round(const Progress& progress, int member) {
+  const auto [first, end] = share(PolledRows::permutations, member, sweepers());
+  polled_rows_[rows_of_round(progress)].draw(progress.key, progress.sweep, options_.sweeps, first, end);
+  team_.meet();
+}
+
 
 void ParallelExecutor::take_account(Progress& progress, const SweepCounts& counts, int bound) {
   progress.counts.polls += counts.polls;
@@ -287,7 +296,8 @@ template <typename Lane>
 SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress) const {
   const Planes<Lane>& mine = planes<Lane>();
   SweepPlan<Lane> plan;
-  static_cast<SubSweep&>(plan) = sub_sweep(*progress.law, frame_, open_, progress.key, progress.sweep, options_.sweeps);
+  static_cast<SubSweep&>(plan) = sub_sweep(*progress.law, frame_, open_, progress.key, progress.sweep, options_.sweeps,
+                                           polled_rows_[rows_of_round(progress)]);
   plan.layout = layout_;
   plan.before_firsts = mine.firsts.data();
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();

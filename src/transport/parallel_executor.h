@@ -124,6 +124,10 @@ class ParallelExecutor : public Executor {
   void keep_firsts(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
   static std::pair<int, int> share(int count, int member, int members);
   template <typename Lane>
+  void draw_round(const Progress& progress, int member);
+  /// Which of the polled_rows_ is the round's: two in turn, for a member may draw those of the next round while another
+  /// still polls by this one's.
+  int rows_of_round(const Progress& progress) const { return progress.sweep / options_.sweeps % 2; }
   SweepPlan<Lane> sweep_plan(const Progress& progress) const;
   template <typename Lane>
   SlidePlan<Lane> slide_plan(const SweepPlan<Lane>& sweep, const SlabLaw& law, int member, int turn);
@@ -157,3 +161,4 @@ class ParallelExecutor : public Executor {
 };
 
 }  // namespace erg
+  PolledRows polled_rows_[2];
