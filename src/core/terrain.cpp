@@ -23,17 +23,17 @@ Terrain::Terrain(Extent extent, double cell_size, double quantum, Boundary bound
     : cell_size_(cell_size), quantum_(quantum), boundary_(boundary), bedrock_(extent), mobile_(extent) {}
 
 Grid<std::int32_t>& Terrain::edit_bedrock() {
-  ++revision_;
+  stamp_.renew();
   return bedrock_;
 }
 
 Grid<std::int32_t>& Terrain::edit_mobile() {
-  ++revision_;
+  stamp_.renew();
   return mobile_;
 }
 
 std::vector<Field>& Terrain::edit_fields() {
-  ++fields_revision_;
+  fields_stamp_.renew();
   return fields_;
 }
 

@@ -28,7 +28,7 @@ using GroundLook = std::function<void(const FrozenGround& ground)>;
 /// Carries out time steps.
 ///
 /// An executor may keep the terrain in a form of its own between steps. Then the terrain's layers are stale until
-/// `settle` writes them back; whoever owns both calls it before anyone reads. Editing the terrain (its revision
+/// `settle` writes them back; whoever owns both calls it before anyone reads. Editing the terrain (its stamp
 /// changes) makes the executor load it again at the next step.
 class Executor {
  public:

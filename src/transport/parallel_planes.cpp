@@ -25,9 +25,8 @@ void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   } else {
     load_heights<std::uint16_t>(terrain);
   }
-  cover_loaded_ = false;
-  loaded_ = &terrain;
-  revision_ = terrain.revision();
+  cover_source_ = {};
+  stamp_ = terrain.stamp();
 }
 
 /// Whether the planes already lie as this frame wants them.
@@ -90,7 +89,7 @@ void ParallelExecutor::settle(Terrain& terrain) {
   } else {
     write(wide_planes_);
   }
-  revision_ = terrain.revision();
+  stamp_ = terrain.stamp();
 }
 
 void ParallelExecutor::change_lanes(bool narrow) {
@@ -107,7 +106,7 @@ void ParallelExecutor::change_lanes(bool narrow) {
     narrow_planes_ = {};
   }
   narrow_ = narrow;
-  cover_loaded_ = false;
+  cover_source_ = {};
 }
 
 // --- what the law means on this grid ---
@@ -116,13 +115,15 @@ template <typename Lane>
 void ParallelExecutor::load_cover(const SlabLaw& law) {
   if (law.cover == nullptr) {
     cover_.clear();
-    cover_loaded_ = false;
+    cover_source_ = {};
     planes<Lane>().steps.clear();
     planes<Lane>().diagonal_steps.clear();
     return;
   }
-  if (cover_loaded_ && cover_revision_ == law.cover_revision) return;
-  const auto cover = law.cover->cells();
+  const CoverSource source{law.cover->stamp(), law.bare, law.covered, law.covered_from};
+  if (cover_source_ == source) return;
+  cover_source_ = {};
+  const auto cover = (*law.cover)->cells();
   cover_.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   visit_cells([&](std::size_t here, std::size_t there) { cover_[here] = cover[there]; });
 
@@ -137,8 +138,7 @@ void ParallelExecutor::load_cover(const SlabLaw& law) {
   };
   lay_steps(mine.steps, law.bare.straight, law.covered.straight);
   lay_steps(mine.diagonal_steps, law.bare.diagonal, law.covered.diagonal);
-  cover_revision_ = law.cover_revision;
-  cover_loaded_ = true;
+  cover_source_ = source;
 }
 
 /// Marks the rows whose bedrock may stop a slab: only where it stands higher than a step over the lowest ground.

@@ -76,8 +76,7 @@ void SerialExecutor::load(const Terrain& terrain, const WindFrame& frame) {
     }
   }
   open_ = terrain.boundary() == Boundary::open;
-  loaded_ = &terrain;
-  revision_ = terrain.revision();
+  stamp_ = terrain.stamp();
   count_heights();
 }
 
@@ -87,7 +86,7 @@ void SerialExecutor::settle(Terrain& terrain) {
   for (int u = 0; u < frame_.width; ++u) {
     for (int v = 0; v < frame_.length; ++v) mobile[frame_.cell(u, v)] = surface_[index(u, v)] - bedrock_[index(u, v)];
   }
-  revision_ = terrain.revision();
+  stamp_ = terrain.stamp();
 }
 
 GrainReport SerialExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
@@ -112,7 +111,7 @@ void SerialExecutor::prepare(const SlabLaw& law, const WindNow& wind, StepKey ke
   if (law.cover == nullptr) return;
   cover_.resize(surface_.size());
   for (int u = 0; u < frame_.width; ++u) {
-    for (int v = 0; v < frame_.length; ++v) cover_[index(u, v)] = (*law.cover)[frame_.cell(u, v)];
+    for (int v = 0; v < frame_.length; ++v) cover_[index(u, v)] = (**law.cover)[frame_.cell(u, v)];
   }
 }
 
