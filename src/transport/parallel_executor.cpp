@@ -61,7 +61,9 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
     prepare_hops<Lane>(law, wind.strength);
     return sweep_until_done<Lane>(progress);
   };
+  const std::uint64_t stamp = stamp_;
   while (!(narrow_ ? sweep(std::uint8_t{}) : sweep(std::uint16_t{}))) change_lanes(false);
+  stamp_ = stamp;
   highest_ = progress.highest;
   hand_out_lift_counts();
 
@@ -93,6 +95,7 @@ bool ParallelExecutor::sweep_until_done(Progress& progress) {
     prepare_strips<Lane>(rows);
     const Progress start = progress;
     bool crowded = false;
+    stamp_ = 0;  // what the planes hold until the step is done is nobody's terrain
     team_.run(sweepers(), [&](int member) {
       const Progress end = sweep_as_member<Lane>(member, start, rows);
       if (member != 0) return;
@@ -125,13 +128,13 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     keep_firsts<Lane>(kernels, slide_plan<Lane>(plan, *progress.law, member, 0), member);
     team_.meet();
   }
+  if (!progress.law->repeated_polling && progress.sweep % options_.sweeps != 0) draw_round(progress, member);
   // What members show each other lies in two places in turn: no member is more than one meeting ahead of another.
   for (int turn = 0; goes_on(progress) && ring_rows(progress.highest) <= rows; turn = 1 - turn) {
+    if (!progress.law->repeated_polling && progress.sweep % options_.sweeps == 0) draw_round(progress, member);
     SweepPlan<Lane> plan = sweep_plan<Lane>(progress);
-  if (!progress.law->repeated_polling && progress.sweep % options_.sweeps != 0) draw_round(progress, member);
     plan.before = before;
     plan.after = after;
-    if (!progress.law->repeated_polling && progress.sweep % options_.sweeps == 0) draw_round(progress, member);
     plan.ring_rows = rows;
     plan.lifted = lifted_.empty() ? nullptr : lifted_.data();
     for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
@@ -170,9 +173,6 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
   return progress;
 }
 
-void ParallelExecutor::meet_unless(bool apart) {
-  if (!apart) team_.meet();
-}
 /// What a round of non-repeated polling draws; each member takes a part of it.
 void ParallelExecutor::draw_round(const Progress& progress, int member) {
   const auto [first, end] = share(PolledRows::permutations, member, sweepers());
@@ -180,6 +180,9 @@ void ParallelExecutor::draw_round(const Progress& progress, int member) {
   team_.meet();
 }
 
+void ParallelExecutor::meet_unless(bool apart) {
+  if (!apart) team_.meet();
+}
 
 void ParallelExecutor::take_account(Progress& progress, const SweepCounts& counts, int bound) {
   progress.counts.polls += counts.polls;

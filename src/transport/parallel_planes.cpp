@@ -11,6 +11,7 @@ namespace erg {
 
 void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const TerrainHeights heights = check_height(terrain);
+  stamp_ = 0;
   frame_ = frame;
   open_ = terrain.boundary() == Boundary::open;
   layout_ = plane_layout(frame, open_);
@@ -65,6 +66,7 @@ void ParallelExecutor::visit_cells(const Visit& visit) {
 template <typename Lane>
 void ParallelExecutor::load_heights(const Terrain& terrain) {
   Planes<Lane>& mine = planes<Lane>();
+  mine.rings.clear();  // of a step that failed
   mine.before.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   mine.after.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   mine.bedrock.resize(relief_ ? layout_.block_size * static_cast<std::size_t>(layout_.blocks) : 0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "transport/fixed_point.h"
 
@@ -39,6 +40,7 @@ StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const Wind
   frame_ = frame;
   law_ = law;
   prepare(law, wind, key);
+  const std::uint64_t stamp = std::exchange(stamp_, 0);  // half way it is nobody's terrain
   let_inflow_enter();
 
   const auto cells = static_cast<std::int64_t>(surface_.size());
@@ -56,11 +58,13 @@ StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const Wind
   }
   terrain.ledger().in += report_.slabs_in;
   terrain.ledger().out += report_.slabs_out;
+  stamp_ = stamp;
   return report_;
 }
 
 void SerialExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const TerrainHeights heights = check_height(terrain);
+  stamp_ = 0;
   lowest_ = heights.lowest;
   has_relief_ = heights.relief;
   const auto bedrock = terrain.bedrock().cells();
