@@ -97,7 +97,7 @@ class Shell {
   std::vector<std::string> open_dialogs_;
   std::string to_front_;
   std::optional<Parting> parting_;
-  std::vector<Action> actions_;
+  std::vector<MenuAction> actions_;
   bool columns_shown_ = true;
   // In the last frame:
   bool dialog_has_keys_ = false;
