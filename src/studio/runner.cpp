@@ -283,7 +283,7 @@ void Runner::fail(const std::string& what) {
   Lockstep::Moment moment;
   for (const RunSnapshot& run : whole->runs) moment.push_back(std::make_shared<const RunState>(run.state()));
   try {
-    runs_.go_to(moment);
+    runs_.go_to(moment, whole->blown);
   } catch (const std::exception& error) {
     log_.error("the runs cannot be taken back to the last whole step: " + problem_of(error));
     return;
@@ -299,6 +299,7 @@ void Runner::publish() {
   next->message = message_;
   next->speed_limit = speed_limit_;
   next->seconds_worked = std::chrono::duration<double>(runs_.worked()).count();
+  next->blown = runs_.blown();
   next->goal_start = goal_start_;
   next->goal = goal_;
   next->undo_count = runs_.undo_count();
