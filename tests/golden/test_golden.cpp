@@ -45,8 +45,8 @@ std::vector<Golden> golden_runs() {
       {"uneven", {"model=bishop", "scene.kind=uneven", "scene.height=6"}, "966f55000b35ea5b", "8f9be66b3cbea1ea"},
       {"grains",
        {"model=grains", "grid.cell_size=0.01", "scene.sand=60", "wind.strength=10", "wind.bearing=255"},
-       "c8cafbb6dc776c44",
-       "c8cafbb6dc776c44",
+       "ec7adcae8a752b82",
+       "ec7adcae8a752b82",
        4},
   };
 }
