@@ -164,7 +164,8 @@ std::string speed_against_height(const ValidationOptions& options) {
          "to "
          "a speed of its own, `linear` / `p_sand` = 0.67 cells a step, which avalanches and shadow lower. With hops of "
          "one length the same model obeys it.\n\nDunes of a field, 3 slabs a cell, 384 x 256 cells, over steps 1200 "
-         "to 1300, all seeds together; dunes by the rules of `erg measure`, those that live through the watch; heights in "
+         "to 1300, all seeds together; dunes by the rules of `erg measure`, those that live through the watch; heights "
+         "in "
          "slabs, speeds in cells a step:\n\n" +
          field_table(scenes, seeds);
 }
