@@ -53,7 +53,7 @@ RunStatistics MeasuredRun::statistics() {
   numbers.shadow_fraction = shadow_fraction(shadow_map(terrain, simulation_.last_wind().bearing, fall));
   const CoarseSurface surface = coarse_surface(terrain, Layer::surface);
   numbers.spectrum = measure_spectrum(surface);
-  numbers.crest_spacing = crest_spacing(surface, simulation_.last_wind().bearing);
+  numbers.crest_spacing = crest_spacing(surface, simulation_.last_wind().mean_bearing());
   numbers.migration = migration_.velocity().value_or(Shift{});
   numbers.totals = simulation_.totals();
   numbers.readings = simulation_.model().readings();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/known_words.h"
 #include "app/output_folder.h"
 #include "app/page_part.h"
 #include "app/validation.h"
@@ -66,11 +67,11 @@ void add_validate_command(CLI::App& program, Action& action) {
   command->add_option("--out", options->out,
                       "Markdown file to write (default: print); with --section only that part of it");
   command->add_option("--section", options->section, "Only this section of the document")
-      ->check(CLI::IsMember(section_names()));
+      ->check(one_of(section_names()));
   command->add_option("--scene", options->validation.scene, "With --section published: only the row of this preset")
-      ->check(CLI::IsMember(published_presets()));
+      ->check(one_of(published_presets()));
   command->add_option("--law", options->validation.law, "With --section nature: only the table of this law")
-      ->check(CLI::IsMember(nature_law_names()));
+      ->check(one_of(nature_law_names()));
   command->callback([&action, options] {
     action = [options] {
       check_choice("--scene", options->validation.scene, "row", "published", options->section);

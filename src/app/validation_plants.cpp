@@ -48,7 +48,7 @@ DuneMeans shapes(const PlantScene& scene, int seed) {
   Simulation simulation(config);
   while (simulation.step_count() < scene.steps && !simulation.finished()) simulation.step();
   const DuneRule rule{.base = 0, .least = scene.least};
-  return mean_of_dunes(find_dunes(simulation.terrain(), simulation.last_wind().bearing, rule).dunes);
+  return mean_of_dunes(find_dunes(simulation.terrain(), simulation.last_wind().mean_bearing(), rule).dunes);
 }
 
 std::string plants_section(const ValidationOptions& options) {

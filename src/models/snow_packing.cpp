@@ -110,7 +110,7 @@ class SnowPacking : public SlabModel {
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover(terrain);
     law.cover_revision = cover_revision_;
-    StepReport report = executor.step(terrain, law, wind, key);
+    StepReport report = move_slabs(terrain, law, wind, key, executor);
     const double day = static_cast<double>(key.step);
     const double least = pack(terrain, daily_growth(values(), wind.temperature, day), snow_class(values(), day).most);
     report.finished = least >= 1;

@@ -25,8 +25,11 @@ void add_part(const Regime& regime, std::int64_t until, double weight, std::vect
   const double width = 360.0 / static_cast<double>(sums.size());
   for (const Season& season : regime.seasons) {
     const std::int64_t last = std::clamp<std::int64_t>(until, 0, season.steps);
-    const auto sector = static_cast<std::size_t>(std::floor(fold_bearing(season.bearing) / width + 0.5)) % sums.size();
-    sums[sector] += weight * summed_strength(season, 0, last);
+    const double part = weight * summed_strength(season, 0, last) / draws_a_round;
+    for (const double swing : wind_swings(season.spread)) {
+      const double sectors = fold_bearing(season.bearing + swing) / width;
+      sums[static_cast<std::size_t>(std::floor(sectors + 0.5)) % sums.size()] += part;
+    }
     until -= last;
   }
 }

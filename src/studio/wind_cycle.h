@@ -24,7 +24,8 @@ struct WindCycle {
 /// The cycle of a regime at `samples` steps, two at least.
 WindCycle sample_cycle(const Regime& regime, std::size_t samples);
 
-/// How much wind comes from where: the sum of strengths over steps, in equal sectors; sector 0 is centred on north.
+/// How much wind comes from where: the sum of strengths over steps, in equal sectors; sector 0 is centred on north. A
+/// season with a spread counts by the mean of its swings.
 struct WindRose {
   std::vector<double> blown;    ///< steps 0 to now
   std::vector<double> to_blow;  ///< from now to the end

@@ -40,7 +40,8 @@ class Executor {
   virtual int threads() const = 0;
   /// Sub-sweeps that a step is cut into; 0: one slab at a time.
   virtual int sub_sweeps() const { return 0; }
-  /// Moves the slabs of one time step and books in- and outflow in the terrain's ledger.
+  /// Moves the slabs of one time step in a wind of more than no strength, and books in- and outflow in the terrain's
+  /// ledger.
   virtual StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) = 0;
   /// Flies the grains of one time step, lets their bed slide, creep and bond, and books in- and outflow. The same bits
   /// on every executor. `look` may be empty.

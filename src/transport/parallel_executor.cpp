@@ -58,7 +58,7 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
   progress.highest = highest_;
   const auto sweep = [&]<typename Lane>(Lane) {
     load_cover<Lane>(law);
-    prepare_hops<Lane>(law, wind.strength);
+    prepare_hops<Lane>(law, wind.strength, key);
     return sweep_until_done<Lane>(progress);
   };
   while (!(narrow_ ? sweep(std::uint8_t{}) : sweep(std::uint16_t{}))) change_lanes(false);
@@ -81,7 +81,7 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
 // --- sub-sweeps ---
 
 bool ParallelExecutor::goes_on(const Progress& progress) const {
-  return erg::goes_on(*progress.law, progress.sweep, progress.idle, progress.counts.lifts, cells(), options_.sweeps);
+  return erg::goes_on(*progress.law, progress.account, cells(), options_.sweeps);
 }
 
 /// Runs sub-sweeps until the step is done; false if 8-bit lanes cannot hold the next one, which then has left no trace.
@@ -99,7 +99,7 @@ bool ParallelExecutor::sweep_until_done(Progress& progress) {
       progress = end;
       crowded = end.crowded;
     });
-    if ((progress.sweep - start.sweep) % 2 != 0) std::swap(mine.before, mine.after);
+    if ((progress.account.sweep - start.account.sweep) % 2 != 0) std::swap(mine.before, mine.after);
     if (crowded) {
       progress.crowded = false;
       std::fill(mine.rings.begin(), mine.rings.end(), Lane{0});
@@ -162,7 +162,7 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     if (plan.lifted != nullptr) add_lifted(member);
     slide_seams<Lane>(kernels, slides, member);
     meet_unless(apart);
-    take_account(progress, counts, bound);
+    take_account(progress, plan, counts, bound);
     std::swap(before, after);
   }
   return progress;
@@ -172,15 +172,14 @@ void ParallelExecutor::meet_unless(bool apart) {
   if (!apart) team_.meet();
 }
 
-void ParallelExecutor::take_account(Progress& progress, const SweepCounts& counts, int bound) {
+void ParallelExecutor::take_account(Progress& progress, const SubSweep& done, const SweepCounts& counts, int bound) {
   progress.counts.polls += counts.polls;
   progress.counts.lifts += counts.lifts;
   progress.counts.rows_flown += counts.rows_flown;
   progress.counts.slabs_in += counts.slabs_in;
   progress.counts.slabs_out += counts.slabs_out;
   progress.highest = std::min(bound, static_cast<int>(counts.highest + counts.most_carried));
-  progress.idle = counts.lifts > 0 ? 0 : progress.idle + 1;
-  ++progress.sweep;
+  progress.account.book(done, counts.lifts);
 }
 
 template <typename Lane>
@@ -287,7 +286,8 @@ template <typename Lane>
 SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress) const {
   const Planes<Lane>& mine = planes<Lane>();
   SweepPlan<Lane> plan;
-  static_cast<SubSweep&>(plan) = sub_sweep(*progress.law, frame_, open_, progress.key, progress.sweep, options_.sweeps);
+  static_cast<SubSweep&>(plan) =
+      sub_sweep(*progress.law, frame_, open_, progress.key, progress.account, options_.sweeps);
   plan.layout = layout_;
   plan.before_firsts = mine.firsts.data();
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();

@@ -57,8 +57,7 @@ class ParallelExecutor : public Executor {
   struct Progress {
     const SlabLaw* law = nullptr;
     StepKey key;
-    int sweep = 0;         ///< sub-sweeps done
-    int idle = 0;          ///< sub-sweeps since the last lift
+    StepAccount account;
     int highest = 0;       ///< bound on the highest cell
     bool crowded = false;  ///< the next sub-sweep needs 16-bit lanes
     SweepCounts counts;    ///< summed over sub-sweeps
@@ -94,7 +93,7 @@ class ParallelExecutor : public Executor {
   void load_cover(const SlabLaw& law);
   void prepare_walls(const SlabLaw& law);
   template <typename Lane>
-  void prepare_hops(const SlabLaw& law, double strength);
+  void prepare_hops(const SlabLaw& law, double strength, StepKey key);
   template <typename Lane>
   double mean_deviation(double mean);
   int ring_rows(int highest) const;
@@ -111,7 +110,7 @@ class ParallelExecutor : public Executor {
   bool sweep_until_done(Progress& progress);
   template <typename Lane>
   Progress sweep_as_member(int member, Progress progress, int rows);
-  static void take_account(Progress& progress, const SweepCounts& counts, int bound);
+  static void take_account(Progress& progress, const SubSweep& done, const SweepCounts& counts, int bound);
   template <typename Lane>
   static SweepCounts summed(const std::vector<Strip<Lane>>& strips, int turn);
   void meet_unless(bool apart);

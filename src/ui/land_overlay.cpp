@@ -120,7 +120,7 @@ void draw_wind_rose(const LandPart& land, const Camera& camera) {
   const float out = radius - 0.55f * letter;
   list.AddText({middle.x + out * north.x - 0.5f * size.x, middle.y + out * north.y - 0.5f * size.y},
                ImGui::GetColorU32(gui.theme().text), "N");
-  const double bearing = land.run->last_wind.bearing;
+  const double bearing = land.run->last_wind.mean_bearing();
   const ImVec2 way = on_screen(bearing + 180, camera);
   draw_arrow(middle, way, 1.15f * radius, ImGui::GetColorU32(gui.theme().accent));
 }

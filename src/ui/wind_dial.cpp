@@ -14,6 +14,7 @@
 #include "ui/axis_ticks.h"
 #include "ui/widgets.h"
 #include "wind/bearing.h"
+#include "wind/regime.h"
 
 namespace erg {
 namespace {
@@ -78,6 +79,19 @@ std::vector<ImVec2> wedge(ImVec2 middle, double bearing, double width, float rad
   return points;
 }
 
+/// Where a swinging wind comes from: from its first swing to its last. One wedge for each two neighbours, since a wide
+/// fan as a whole would not be convex.
+void draw_fan(ImVec2 middle, double bearing, double spread, float radius) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto swings = wind_swings(spread);
+  for (std::size_t k = 1; k < swings.size(); ++k) {
+    const double mean = bearing + (swings[k - 1] + swings[k]) / 2;
+    const std::vector<ImVec2> points = wedge(middle, mean, swings[k] - swings[k - 1], radius);
+    list.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()),
+                             ImGui::GetColorU32(ImGuiCol_CheckMark, 0.25f));
+  }
+}
+
 void draw_sectors(ImVec2 middle, std::span<const double> shares, double most, float radius, bool filled) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double width = 360.0 / static_cast<double>(std::max<std::size_t>(1, shares.size()));
@@ -111,7 +125,7 @@ void tell_sector(ImVec2 middle, std::span<const double> blown, std::span<const d
 
 }  // namespace
 
-bool wind_dial(const char* id, double& bearing, float size) {
+bool wind_dial(const char* id, double& bearing, float size, double spread) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 middle{corner.x + size / 2, corner.y + size / 2};
   const float letter = ImGui::GetTextLineHeight();
@@ -128,6 +142,7 @@ bool wind_dial(const char* id, double& bearing, float size) {
   }
   draw_compass(middle, radius);
   draw_letters(middle, radius + letter / 2 + 8);  // beyond the hand's grip
+  if (spread > 0) draw_fan(middle, bearing, spread, radius);
   draw_hand(middle, bearing, radius, active || hovered);
   if (!active) tooltip("Drag to where the wind blows from; with Shift to a point of the compass.");
   return changed;

@@ -217,6 +217,16 @@ TEST(WindRose, AddsUpWhatBlowsFromWhere) {
   EXPECT_DOUBLE_EQ(rose.blown[0] + rose.to_blow[0], 0);
 }
 
+TEST(WindRose, CountsTheSwingsOfASpread) {
+  const Regime regime{{{.bearing = 270, .first = 4, .last = 4, .steps = 1, .curve = {}, .snowfall = 0, .spread = 10}}};
+  // 8 sectors: swings beyond 22.5 degrees lie in the neighbours; none of 10 degrees does. Of 32 sectors the widest do.
+  EXPECT_DOUBLE_EQ(wind_rose(regime, 16, 16, 8).blown[6], 64);
+  const WindRose fine = wind_rose(regime, 16, 16, 32);
+  EXPECT_LT(fine.blown[24], 64);
+  EXPECT_DOUBLE_EQ(fine.blown[23], fine.blown[25]) << "as often to the left as to the right";
+  EXPECT_DOUBLE_EQ(fine.blown[22] + fine.blown[23] + fine.blown[24] + fine.blown[25] + fine.blown[26], 64);
+}
+
 TEST(Comparison, HasOneWindAndListsWhatDiffers) {
   Comparison comparison;
   ASSERT_EQ(comparison.add_copy_of(0), 1u);
