@@ -1,11 +1,8 @@
 #include "app/sample.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <future>
-#include <thread>
 
 #include "app/presets.h"
 #include "app/progress.h"
@@ -15,8 +12,7 @@
 namespace erg {
 namespace {
 
-SeedRun run_once(Config config, int seed, const std::vector<std::int64_t>& watch) {
-  set_from_text(config, "run.seed=" + std::to_string(seed));
+SeedRun run_once(const Config& config, const std::vector<std::int64_t>& watch) {
   Simulation simulation(config);
   MeasuredRun run(simulation, config.run.integer("steps"));
   SeedRun result;
@@ -31,6 +27,17 @@ SeedRun run_once(Config config, int seed, const std::vector<std::int64_t>& watch
 }
 
 }  // namespace
+
+MeasuringNotice::MeasuringNotice(const std::vector<Config>& configs) : start_(std::chrono::steady_clock::now()) {
+  const Config& first = configs.front();
+  std::fprintf(stderr, "validate: %s, %s, %s ... ", first.title.c_str(), first.run.text("executor").c_str(),
+               count_text(static_cast<int>(configs.size()), "seed").c_str());
+}
+
+MeasuringNotice::~MeasuringNotice() {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  std::fprintf(stderr, "%s\n", duration_text(elapsed.count()).c_str());
+}
 
 double Sample::mean() const {
   double sum = 0;
@@ -52,27 +59,20 @@ std::string Sample::text(int digits) const {
 
 Config thesis_config(const std::string& name) { return read_config(config_path("thesis/" + name)); }
 
+std::vector<Config> seeded_configs(const Config& config, const std::string& executor, int seeds) {
+  std::vector<Config> configs(static_cast<std::size_t>(seeds), config);
+  for (int seed = 1; seed <= seeds; ++seed) {
+    for (const std::string& setting :
+         {"run.executor=" + executor, std::string("run.threads=1"), "run.seed=" + std::to_string(seed)}) {
+      set_from_text(configs[static_cast<std::size_t>(seed - 1)], setting);
+    }
+  }
+  return configs;
+}
+
 std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor, int seeds,
                                const std::vector<std::int64_t>& watch) {
-  Config seeded = config;
-  set_from_text(seeded, "run.executor=" + executor);
-  const auto start = std::chrono::steady_clock::now();
-  std::fprintf(stderr, "validate: %s, %s, %s ... ", config.title.c_str(), executor.c_str(),
-               count_text(seeds, "seed").c_str());
-  // As many runs as there are processors go side by side, each on one thread: none waits for another.
-  set_from_text(seeded, "run.threads=1");
-  const int side_by_side = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  std::vector<SeedRun> runs;
-  for (int first = 1; first <= seeds; first += side_by_side) {
-    std::vector<std::future<SeedRun>> batch;
-    for (int seed = first; seed < std::min(first + side_by_side, seeds + 1); ++seed) {
-      batch.push_back(std::async(std::launch::async, run_once, seeded, seed, watch));
-    }
-    for (std::future<SeedRun>& run : batch) runs.push_back(run.get());
-  }
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  std::fprintf(stderr, "%s\n", duration_text(elapsed.count()).c_str());
-  return runs;
+  return measure_each(seeded_configs(config, executor, seeds), [&](const Config& one) { return run_once(one, watch); });
 }
 
 }  // namespace erg
