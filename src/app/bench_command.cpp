@@ -7,6 +7,7 @@
 #include "app/bench.h"
 #include "app/command.h"
 #include "app/grain_bench.h"
+#include "app/known_words.h"
 #include "app/measured_run.h"
 #include "app/render_bench.h"
 #include "app/text_table.h"
@@ -125,7 +126,7 @@ void add_bench_command(CLI::App& program, Action& action) {
   command->add_option("--model", options->bench.models, "Model to measure (may be repeated; default: all)");
   command->add_option("--executor", options->bench.executor, "Executor to measure beside serial: cpu or cuda")
       ->capture_default_str()
-      ->check(CLI::IsMember({"cpu", "cuda"}));
+      ->check(one_of({"cpu", "cuda"}));
   command->add_option("--threads", options->bench.threads, "Threads, measured beside one (0: every processor)")
       ->check(CLI::Range(0, 256));
   command->add_option("--sweeps", options->bench.sweeps, "Sub-sweeps K (default: 8 and 16)")
@@ -140,7 +141,7 @@ void add_bench_command(CLI::App& program, Action& action) {
           ->excludes(json);
   command->add_option("--context", options->context, "What draws with --render: auto, egl, osmesa")
       ->capture_default_str()
-      ->check(CLI::IsMember(offscreen_kinds()))
+      ->check(one_of(offscreen_kinds()))
       ->needs(render);
   command->callback([&action, options, grid] {
     const bool one_grid = grid->count() > 0;

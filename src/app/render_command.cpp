@@ -98,7 +98,7 @@ ExitCode render(const RenderRequest& request) {
   const RunView run(simulation);
   const PicturePlan plan = plan_picture(request.picture, run.view());
   const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
-  for (const std::string& note : picture.notes) std::cerr << "note: " << note << "\n";
+  print_notes(picture.notes);
   write_png(request.out, picture.image, metadata(provenance_of(simulation)));
   if (!request.quiet) std::cout << "wrote " << request.out << " (" << context->renderer() << ")\n";
   return exit_done;

@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/film.h"
 #include "app/interrupt.h"
+#include "app/known_words.h"
 #include "app/measured_run.h"
 #include "app/notice.h"
 #include "app/output_folder.h"
@@ -185,7 +186,7 @@ void add_run_command(CLI::App& program, Action& action) {
                    "Files to write, with commas (default, once files are asked for: all but obj, ply, stl)")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember(output_formats()));
+      ->check(one_of(output_formats()));
   command->add_option("--resume", request->resume, "Go on from a checkpoint, to --steps steps in all");
   command->add_option("--stats", request->stats, "Write the run's numbers to this JSON file");
   command->add_flag("--hash", request->hash, "Print the hash of the final state");

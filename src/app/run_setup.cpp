@@ -3,9 +3,11 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/notice.h"
 #include "app/presets.h"
 #include "io/checkpoint.h"
 #include "io/config_file.h"
+#include "io/given_file.h"
 #include "io/start_simulation.h"
 #include "sim/memory.h"
 
@@ -62,14 +64,19 @@ void check_steps_left(const Config& config, std::int64_t done, const std::string
 
 Simulation start_simulation(const RunRequest& request) {
   if (request.resume.empty()) {
-    Config config = read_config(config_path(request.config));
+    std::vector<std::string> notes;
+    Config config = read_config(config_path(request.config), &notes);
     apply_options(config, request);
+    take_grid_from_picture(config);
     check_memory({&config, 1}, 0, free_memory());
-    return start_simulation(config);
+    Simulation simulation = start_simulation(config, &notes);
+    if (!request.quiet) print_notes(notes);
+    return simulation;
   }
   Saved saved = read_checkpoint(request.resume);
   Config config = request.config.empty() ? saved.config : read_config(config_path(request.config));
   apply_options(config, request);
+  if (!request.config.empty()) take_grid_from_picture(config);
   check_fits(config, saved, request.resume);
   check_steps_left(config, saved.state.step, request.resume);
   return Simulation(std::move(config), std::move(saved.state));
@@ -77,6 +84,7 @@ Simulation start_simulation(const RunRequest& request) {
 
 std::string run_name(const RunRequest& request) {
   const std::filesystem::path path = request.config.empty() ? request.resume : request.config;
+  if (is_stream(path)) return "config";
   std::string name = path.stem().string();
   // A checkpoint's name ends with its step.
   const std::size_t last_letter = name.find_last_not_of("0123456789");

@@ -1,8 +1,13 @@
 #include "app/sample.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
+#include <mutex>
+#include <thread>
 
 #include "app/presets.h"
 #include "app/progress.h"
@@ -12,7 +17,8 @@
 namespace erg {
 namespace {
 
-SeedRun run_once(const Config& config, const std::vector<std::int64_t>& watch) {
+SeedRun run_once(Config config, int seed, const std::vector<std::int64_t>& watch) {
+  set_from_text(config, "run.seed=" + std::to_string(seed));
   Simulation simulation(config);
   MeasuredRun run(simulation, config.run.integer("steps"));
   SeedRun result;
@@ -28,15 +34,27 @@ SeedRun run_once(const Config& config, const std::vector<std::int64_t>& watch) {
 
 }  // namespace
 
-MeasuringNotice::MeasuringNotice(const std::vector<Config>& configs) : start_(std::chrono::steady_clock::now()) {
-  const Config& first = configs.front();
-  std::fprintf(stderr, "validate: %s, %s, %s ... ", first.title.c_str(), first.run.text("executor").c_str(),
-               count_text(static_cast<int>(configs.size()), "seed").c_str());
-}
-
-MeasuringNotice::~MeasuringNotice() {
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  std::fprintf(stderr, "%s\n", duration_text(elapsed.count()).c_str());
+void share_jobs(int jobs, const std::function<void(int)>& job) {
+  const int workers = std::min(jobs, std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  std::atomic<int> next{0};
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto work = [&] {
+    for (int at = next++; at < jobs; at = next++) {
+      try {
+        job(at);
+      } catch (...) {
+        const std::scoped_lock lock(failing);
+        failure = std::current_exception();
+        next = jobs;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int worker = 0; worker < workers; ++worker) threads.emplace_back(work);
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
 double Sample::mean() const {
@@ -59,20 +77,18 @@ std::string Sample::text(int digits) const {
 
 Config thesis_config(const std::string& name) { return read_config(config_path("thesis/" + name)); }
 
-std::vector<Config> seeded_configs(const Config& config, const std::string& executor, int seeds) {
-  std::vector<Config> configs(static_cast<std::size_t>(seeds), config);
-  for (int seed = 1; seed <= seeds; ++seed) {
-    for (const std::string& setting :
-         {"run.executor=" + executor, std::string("run.threads=1"), "run.seed=" + std::to_string(seed)}) {
-      set_from_text(configs[static_cast<std::size_t>(seed - 1)], setting);
-    }
-  }
-  return configs;
-}
-
 std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor, int seeds,
                                const std::vector<std::int64_t>& watch) {
-  return measure_each(seeded_configs(config, executor, seeds), [&](const Config& one) { return run_once(one, watch); });
+  Config seeded = config;
+  set_from_text(seeded, "run.executor=" + executor);
+  const auto start = std::chrono::steady_clock::now();
+  std::fprintf(stderr, "validate: %s, %s, %s ... ", config.title.c_str(), executor.c_str(),
+               count_text(seeds, "seed").c_str());
+  set_from_text(seeded, "run.threads=1");
+  std::vector<SeedRun> runs = side_by_side<SeedRun>(seeds, [&](int job) { return run_once(seeded, job + 1, watch); });
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  std::fprintf(stderr, "%s\n", duration_text(elapsed.count()).c_str());
+  return runs;
 }
 
 }  // namespace erg

@@ -1,7 +1,5 @@
 #include "core/exact_text.h"
 
-#include <charconv>
-
 namespace erg {
 
 std::string exact_text(double value) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -30,16 +29,6 @@ ParameterValue stored(const Parameter& parameter, ParameterValue value) {
   return value;
 }
 
-/// Reads all of `text` as a number; nothing if it is none.
-template <typename Number>
-std::optional<Number> number_from(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 std::string shown(const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   const auto* curve = std::get_if<PiecewiseLinear>(&value);
@@ -50,7 +39,7 @@ std::string shown(const ParameterValue& value) {
 }
 
 Mistake unacceptable(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
-  return {place, parameter.key + " is " + shown(value), "expected " + accepted_text(parameter)};
+  return {place, parameter.key + " is " + shown(value), "expected " + accepted_with_unit(parameter)};
 }
 
 std::optional<Mistake> check_number(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
@@ -62,7 +51,11 @@ std::optional<Mistake> check_number(const Parameter& parameter, const ParameterV
   // Written so that NaN, which is neither below nor above anything, is refused.
   const bool range_fits = number >= parameter.minimum && number <= parameter.maximum;
   if (kind_fits && range_fits) return std::nullopt;
-  return unacceptable(parameter, value, place);
+  Mistake mistake = unacceptable(parameter, value, place);
+  if (number > 0 && number < parameter.minimum && !parameter.too_small.empty()) {
+    mistake.remedy += "; " + parameter.too_small;
+  }
+  return mistake;
 }
 
 std::optional<Mistake> check_choice(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
@@ -152,6 +145,11 @@ Parameter curve_parameter(std::string key, std::string label, std::string unit, 
   return parameter;
 }
 
+Parameter with_hint(Parameter parameter, std::string too_small) {
+  parameter.too_small = std::move(too_small);
+  return parameter;
+}
+
 Parameter at_start(Parameter parameter) {
   parameter.at_start = true;
   return parameter;
@@ -230,9 +228,14 @@ std::string accepted_text(const Parameter& parameter) {
   return joined(parameter.choices, ", ");
 }
 
+std::string accepted_with_unit(const Parameter& parameter) {
+  return accepted_text(parameter) + (parameter.unit.empty() ? "" : " " + parameter.unit);
+}
+
 ParameterValues::ParameterValues(Parameters declared) : declared_(std::move(declared)) {
   values_.reserve(declared_.size());
   for (const Parameter& parameter : declared_) values_.push_back(parameter.standard);
+  set_.resize(values_.size());
 }
 
 const Parameter* ParameterValues::find(std::string_view key) const {
@@ -249,11 +252,20 @@ void ParameterValues::set(std::string_view key, ParameterValue value) {
   }
   if (auto mistake = check_value(*parameter, value, "")) throw InputError({std::move(*mistake)});
   values_[position(key)] = stored(*parameter, std::move(value));
+  set_[position(key)] = true;
 }
 
 const ParameterValue& ParameterValues::value(std::string_view key) const { return values_[position(key)]; }
 
 bool ParameterValues::is_default(std::string_view key) const { return value(key) == declared_[position(key)].standard; }
+
+bool ParameterValues::is_set(std::string_view key) const { return set_[position(key)]; }
+
+void ParameterValues::reset(std::string_view key) {
+  const std::size_t place = position(key);
+  values_[place] = declared_[place].standard;
+  set_[place] = false;
+}
 
 double ParameterValues::real(std::string_view key) const { return std::get<double>(value(key)); }
 

@@ -56,6 +56,7 @@ class ConfigReader {
     const JsonNode::Object* root = object(tree_.root, "a config");
     if (root != nullptr) read_root(*root);
     if (tree_.broken) mistakes().add_last(*tree_.broken);
+    reading_.has_comments = tree_.has_comments;
     return std::move(reading_);
   }
 
@@ -189,7 +190,7 @@ class ConfigReader {
   std::optional<ParameterValue> checked(const Parameter& parameter, const JsonNode& node) {
     const auto value = parameter_value(parameter, node);
     if (!value) {
-      mistakes().add(node.line, parameter.key + " is " + node.shown(), "expected " + accepted_text(parameter));
+      mistakes().add(node.line, parameter.key + " is " + node.shown(), "expected " + accepted_with_unit(parameter));
       return std::nullopt;
     }
     if (const auto mistake = check_value(parameter, *value, "")) {

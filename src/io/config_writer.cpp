@@ -16,10 +16,16 @@ using Json = nlohmann::ordered_json;
 /// Values that are written though they are at their defaults, because a reader looks for them.
 constexpr std::array<std::string_view, 5> always_written{"grid.nx", "grid.ny", "scene.kind", "run.steps", "run.seed"};
 
+/// Values that mean something else where they are absent: they are written if they were set, be it to their defaults.
+constexpr std::array<std::string_view, 2> written_if_set{"scene.image_low", "scene.image_high"};
+
 Json group_json(const std::string& group, const ParameterValues& values) {
   Json json = Json::object();
   for (const Parameter& parameter : values.declared()) {
-    const bool always = std::ranges::find(always_written, group + "." + parameter.key) != always_written.end();
+    const std::string full_key = group + "." + parameter.key;
+    const bool always = std::ranges::find(always_written, full_key) != always_written.end() ||
+                        (std::ranges::find(written_if_set, full_key) != written_if_set.end() &&
+                         values.is_set(parameter.key) && values.matters(parameter));
     if (always || !values.is_default(parameter.key)) {
       json[parameter.key] = json_value(parameter, values.value(parameter.key));
     }

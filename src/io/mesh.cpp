@@ -34,6 +34,7 @@ std::array<Corners, 2> square(const Terrain& terrain, int x, int y) {
 }
 
 void check_extent(const std::filesystem::path& path, const Terrain& terrain) {
+  check_whole(terrain);
   if (terrain.nx() >= 2 && terrain.ny() >= 2) return;
   throw InputError(path.string(), "a grid one cell wide has no surface", "take at least two cells each way");
 }

@@ -1,4 +1,4 @@
-// PNG files.
+// PNG files, written; io/png_reader.h reads them.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,5 @@ struct GreyImage {
 void write_png(const std::filesystem::path& path, const RgbImage& image, const MetadataEntries& entries);
 void write_png(const std::filesystem::path& path, const RgbaImage& image, const MetadataEntries& entries);
 void write_png(const std::filesystem::path& path, const GreyImage& image, const MetadataEntries& entries);
-
-/// The text chunks of a PNG. Throws InputError for a missing or damaged file.
-MetadataEntries read_png_metadata(const std::filesystem::path& path);
 
 }  // namespace erg

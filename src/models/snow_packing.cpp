@@ -156,7 +156,7 @@ class SnowPacking : public SlabModel {
 ModelType snow_packing() {
   return {{.key = "snow_packing",
            .title = "Snow packing",
-           .citation = "after Cimbura, F. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
+           .citation = "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
                        "printed it is 0 at -20 deg C)",
            .makes = "snow ripples that freeze day by day",
            .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",

@@ -13,6 +13,9 @@ namespace {
 
 constexpr const char* default_model = "momiji";
 constexpr std::int64_t most_steps = 1'000'000'000;
+/// Heights of a picture, m: from the deepest trench to the highest volcano of Mars, and some.
+constexpr double lowest_point = -12000;
+constexpr double highest_point = 30000;
 
 /// Marks all of a group as read only when the terrain is made.
 Parameters all_at_start(Parameters parameters) {
@@ -174,7 +177,9 @@ Parameters grid_parameters(const ModelStart& start) {
   return all_at_start({
       integer_parameter("nx", "Cells east", "cells", 256, smallest_side, largest_side, "Grid width, west to east."),
       integer_parameter("ny", "Cells north", "cells", 256, smallest_side, largest_side, "Grid height, south to north."),
-      real_parameter("cell_size", "Cell size", "m", start.cell_size, 0.001, 1000.0, "Side of a cell."),
+      with_hint(
+          real_parameter("cell_size", "Cell size", "m", start.cell_size, 0.001, 1000.0, "Side of a cell."),
+          "so small a number is a cell in degrees: one arc second, 0.000278 degrees, is 31 m from south to north"),
       choice_parameter("boundary", "Boundary", "torus", {"torus", "open"},
                        "torus: what leaves on one side enters on the other; open: it is counted and gone."),
       only_when(real_parameter("inflow", "Inflow", "slabs", 0.0, 0.0, 100.0,
@@ -208,11 +213,23 @@ Parameters scene_parameters(const ModelStart& start) {
                                  "What the picture's heights become: bedrock under an even cover of sand, the sand "
                                  "itself, or the surface of bedrock and sand together."),
                 {"kind", "image"}),
-      only_when(real_parameter("image_low", "Height of black", "m", 0.0, -10000.0, 10000.0,
-                               "Height of a black point of the picture."),
+      only_when(real_parameter("image_low", "Height of black", "m", 0.0, lowest_point, highest_point,
+                               "Height of a black point of the picture; where neither this nor image_high is given, "
+                               "what a heightmap written by Erg says of itself."),
                 {"kind", "image"}),
-      only_when(real_parameter("image_high", "Height of white", "m", 10.0, -10000.0, 10000.0,
-                               "Height of a white point of the picture."),
+      only_when(real_parameter("image_high", "Height of white", "m", 10.0, lowest_point, highest_point,
+                               "Height of a white point of the picture; likewise."),
+                {"kind", "image"}),
+      only_when(
+          choice_parameter("image_fit", "Picture fits", "stretch", {"stretch", "crop", "from_file"},
+                           "How a picture of another shape fits the grid: stretch: each side by itself; crop: its "
+                           "middle, cut to the grid's shape; from_file: the grid takes the picture's sides, and the "
+                           "cell size where the picture says one."),
+          {"kind", "image"}),
+      only_when(choice_parameter("image_nodata", "Without data", "refuse", {"refuse", "lowest", "around"},
+                                 "What lies where pixels of the picture are transparent, which means that nothing was "
+                                 "measured there: refuse: no such picture; lowest: its lowest height; around: heights "
+                                 "carried on from the cells around."),
                 {"kind", "image"}),
   });
 }
@@ -278,7 +295,8 @@ void redeclare(ParameterValues& values, const Parameters& declared) {
   ParameterValues anew(declared);
   for (const Parameter& parameter : values.declared()) {
     const Parameter* same = anew.find(parameter.key);
-    if (same == nullptr || values.is_default(parameter.key)) continue;
+    if (same == nullptr || !values.is_set(parameter.key)) continue;
+    if (values.is_default(parameter.key) && same->standard != parameter.standard) continue;
     const ParameterValue& value = values.value(parameter.key);
     if (!check_value(*same, value, "")) anew.set(parameter.key, value);
   }

@@ -39,11 +39,19 @@ std::uint64_t working_bytes_a_cell(const Config& config) {
   return executor + find_model(config.model).working_bytes;
 }
 
+/// What pictures keep of a cell until the terrain is made: their values, and of one at a time where they have no data.
+std::uint64_t picture_bytes_a_cell(const Config& config) {
+  constexpr std::uint64_t bytes = sizeof(float) + 1;
+  return (wanted_path(config.scene) != nullptr ? bytes : 0) + (wanted_path(config.parameters) != nullptr ? bytes : 0);
+}
+
 /// Bytes of all runs and copies together for each cell.
 std::uint64_t bytes_a_cell(std::span<const Config> configs, int copies) {
   std::uint64_t bytes = 0;
   for (const Config& config : configs) {
-    bytes += working_bytes_a_cell(config) + static_cast<std::uint64_t>(copies + 1) * terrain_bytes_a_cell(config);
+    // The executor and the model get to work when the pictures are gone.
+    bytes += std::max(working_bytes_a_cell(config), picture_bytes_a_cell(config)) +
+             static_cast<std::uint64_t>(copies + 1) * terrain_bytes_a_cell(config);
   }
   return bytes;
 }

@@ -58,11 +58,11 @@ void Lockstep::take(std::vector<std::unique_ptr<Simulation>> runs) {
   worked_ = {};
 }
 
-void Lockstep::create(const std::vector<Config>& configs) {
+void Lockstep::create(const std::vector<Config>& configs, std::vector<std::string>* notes) {
   check_together(configs, [](const Config& config) { return config.wind; });
   check_memory(configs, copies, free_memory());
   std::vector<std::unique_ptr<Simulation>> runs;
-  for (const Config& config : configs) runs.push_back(std::make_unique<Simulation>(start_simulation(config)));
+  for (const Config& config : configs) runs.push_back(std::make_unique<Simulation>(start_simulation(config, notes)));
   take(std::move(runs));
   forget_edits();
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "io/checkpoint.h"
@@ -33,7 +34,8 @@ class Lockstep {
   std::string why_finished() const;
 
   /// New terrains for these configs. Throws InputError: none or too many, winds that differ, whatever a scene lacks.
-  void create(const std::vector<Config>& configs);
+  /// `notes`, where given, gets what is worth telling of pictures.
+  void create(const std::vector<Config>& configs, std::vector<std::string>* notes = nullptr);
   /// Goes on from saved states. Throws InputError as create does, and for clocks that differ.
   void resume(std::vector<Saved> saved);
   /// Back to where the runs were when created or resumed, under the configs of now; can be undone.

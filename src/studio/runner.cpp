@@ -69,7 +69,13 @@ void Runner::give(Command command) {
 }
 
 void Runner::create(std::vector<Config> configs) {
-  give([this, configs = std::move(configs)] { make([&] { runs_.create(configs); }); });
+  give([this, configs = std::move(configs)] {
+    make([&] {
+      std::vector<std::string> notes;
+      runs_.create(configs, &notes);
+      for (const std::string& note : notes) log_.information(note);
+    });
+  });
 }
 
 void Runner::resume(std::vector<Saved> saved) {

@@ -84,8 +84,8 @@ class Setup {
   /// The running config with what may take effect without a new terrain: the wind, and every value that is not read at
   /// the start only. The running config itself where the model is another one.
   Config in_force_on(const Config& running) const;
-  /// The config that CREATE makes: with a new seed, kept from then on, if fresh_seed. Throws InputError with
-  /// mistakes().
+  /// The config that CREATE makes: with the grid of the picture, and with a new seed if fresh_seed, both kept from then
+  /// on. Throws InputError with mistakes(), and where that picture cannot be read.
   Config config_to_create();
 
  private:

@@ -4,6 +4,7 @@
 
 #include "core/errors.h"
 #include "io/config_file.h"
+#include "io/given_file.h"
 #include "sim/memory.h"
 
 namespace erg {
@@ -147,7 +148,9 @@ bool Studio::open(const fs::path& path) {
       resume({read_checkpoint(path)}, path);
     } else {
       Comparison opened;
-      opened.set_only(Setup(read_config(path)));
+      std::vector<std::string> notes;
+      opened.set_only(Setup(read_config(path, &notes)));
+      for (const std::string& note : notes) log_.information(note);
       std::vector<Config> configs = opened.configs_to_create();
       show(std::move(opened), path);
       hand_over(std::move(configs));
@@ -194,6 +197,7 @@ bool Studio::save_config(const fs::path& path) {
 }
 
 void Studio::remember_file() {
+  if (is_stream(file_)) return;
   settings_.add_recent(file_);
   settings_.last_folder = fs::absolute(file_).parent_path().string();
 }

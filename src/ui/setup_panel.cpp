@@ -43,7 +43,7 @@ class SetupPanel final : public Panel {
 
   std::string picture_group_;  ///< group and key of the path that the browser is asked for
   std::string picture_key_;
-  FilePopup picture_{{.title = "CHOOSE A PICTURE", .action = "CHOOSE", .endings = {".png", ".jpg", ".jpeg", ".bmp"}}};
+  FilePopup picture_{{.title = "CHOOSE A PICTURE", .action = "CHOOSE", .endings = {".png"}}};
 };
 
 void SetupPanel::draw_run_choice(Studio& studio) {

@@ -300,7 +300,7 @@ std::string parameter_tooltip(const Parameter& parameter) {
     if (!words.empty()) text += "\n" + name + ": " + words;
   };
   if (parameter.kind != ParameterKind::boolean && parameter.kind != ParameterKind::path) {
-    add("range", accepted_text(parameter) + (parameter.unit.empty() ? "" : " " + parameter.unit));
+    add("range", accepted_with_unit(parameter));
   }
   add("default", value_text(parameter.standard));
   add("source", parameter.source);

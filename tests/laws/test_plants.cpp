@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/dune_patches.h"
+#include "analysis/dune_outlines.h"
 #include "configured.h"
 #include "sim/simulation.h"
 
@@ -107,14 +107,16 @@ TEST(Plants, HoldSteeperSlopes) {
 }
 
 /// Patches of at least 30 cells whose sand is `least` slabs thick or more, at the end of runs with seeds 1 to `seeds`.
+/// Of dunes with sand of at least `least` slabs.
 DuneMeans dunes_grown(const std::vector<std::string>& settings, int steps, int least, int seeds) {
-  std::vector<DunePatch> dunes;
+  std::vector<Dune> dunes;
   for (int seed = 1; seed <= seeds; ++seed) {
     Config config = plants(settings);
     set_from_text(config, "run.seed=" + std::to_string(seed));
     Simulation simulation(config);
     for (int step = 0; step < steps; ++step) simulation.step();
-    const std::vector<DunePatch> found = find_dunes(simulation.terrain(), simulation.last_wind().bearing, least, 30);
+    const std::vector<Dune> found =
+        find_dunes(simulation.terrain(), simulation.last_wind().bearing, {.base = 0, .least = least}).dunes;
     dunes.insert(dunes.end(), found.begin(), found.end());
   }
   return mean_of_dunes(dunes);
@@ -143,9 +145,9 @@ TEST(Plants, BlowOutIntoThreeDunesWithArmsUpwind) {
               "parameters.lift_in_shadow=true", "parameters.vegetation=blowouts", "parameters.grass_start=0.2",
               "parameters.mesquite=false", "parameters.shrub=true", "parameters.shrub_start=0.9", "run.executor=cpu"}));
   for (int step = 0; step < 1600; ++step) simulation.step();
-  const std::vector<DunePatch> dunes = find_dunes(simulation.terrain(), 270, 25, 30);
+  const std::vector<Dune> dunes = find_dunes(simulation.terrain(), 270, {.base = 0, .least = 25}).dunes;
   EXPECT_EQ(dunes.size(), 3u) << "apart from each other";
-  for (const DunePatch& dune : dunes) EXPECT_LT(dune.arms, -0.2);
+  for (const Dune& dune : dunes) EXPECT_LT(dune.arms, -0.2);
 }
 
 }  // namespace

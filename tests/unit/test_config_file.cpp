@@ -163,8 +163,8 @@ TEST_F(ConfigFile, ReportsEveryMistakeAtOnceWhereItStands) {
             "a.json:2: erg is 2; this program reads version 1 of the format\n"
             "a.json:3: unknown key \"titel\"; did you mean \"title\"?\n"
             "a.json:4: unknown model \"momji\"; did you mean \"momiji\"?\n"
-            "a.json:6: nx is 0; expected a whole number, 1 to 16384\n"
-            "a.json:7: ny is \"many\"; expected a whole number, 1 to 16384\n"
+            "a.json:6: nx is 0; expected a whole number, 1 to 16384 cells\n"
+            "a.json:7: ny is \"many\"; expected a whole number, 1 to 16384 cells\n"
             "a.json:8: duplicate key \"nx\"; it stands on line 6 already; keep one of the two\n"
             "a.json:9: unknown boundary \"toruss\"; did you mean \"torus\"?\n"
             "a.json:10: unknown key \"steps\"; it belongs in \"run\"\n"
@@ -233,7 +233,7 @@ TEST_F(ConfigFile, SyntaxErrorsHaveLineAndColumn) {
 TEST_F(ConfigFile, MistakesBeforeASyntaxErrorAreReportedToo) {
   EXPECT_EQ(mistakes("{\"erg\": 1,\n\"modle\": 3,\n\"grid\": {\"nx\": 0, \"ny\": }"),
             "a.json:2: unknown key \"modle\"; did you mean \"model\"?\n"
-            "a.json:3: nx is 0; expected a whole number, 1 to 16384\n"
+            "a.json:3: nx is 0; expected a whole number, 1 to 16384 cells\n"
             "a.json:3:25: syntax error: unexpected '}'; expected '[', '{', or a literal");
 }
 
@@ -262,7 +262,7 @@ TEST_F(ConfigFile, HugeNonsenseIsRefusedInAFewWords) {
   EXPECT_EQ(mistakes("{\"erg\": 1, \"model\": \"nield_baas\", \"parameters\": {\"grass_growth\": [" +
                      many("[1,2]", 10'000) + "]}}"),
             "a.json:1: grass_growth is 10000 vertices; expected 2 to 64 vertices x:y, x growing (balance, m/yr, -10 to "
-            "10), y -10 to 10");
+            "10), y -10 to 10 1/yr");
 }
 
 TEST_F(ConfigFile, AFileWithoutEndIsRefused) {
@@ -351,9 +351,10 @@ TEST_F(ConfigFile, AMissingPictureIsReportedAtItsLine) {
   const std::string start = "{\"erg\": 1, \"model\": \"momiji\",\n\"scene\": {\"kind\": \"image\",\n\"image\": ";
   const fs::path path = put("a.json", start + "\"grond.png\", \"sand\": -1}}");
   put("ground.png", "");
-  EXPECT_EQ(message([&] { read_config(path); }),
-            path.string() + ":3: sand is -1; expected 0 to 10000\n" + path.string() + ":3: there is no picture \"" +
-                (folder_ / "grond.png").string() + "\"; did you mean \"" + (folder_ / "ground.png").string() + "\"?");
+  EXPECT_EQ(message([&] { read_config(path); }), path.string() + ":3: sand is -1; expected 0 to 10000 slabs\n" +
+                                                     path.string() + ":3: there is no picture \"" +
+                                                     (folder_ / "grond.png").string() + "\"; did you mean \"" +
+                                                     (folder_ / "ground.png").string() + "\"?");
   EXPECT_EQ(mistakes("{\"erg\": 1, \"model\": \"momiji\",\n\"scene\": {\"kind\": \"image\"}}"),
             "a.json:2: kind \"image\" needs a picture; add \"image\": \"picture.png\" beside it");
 }
