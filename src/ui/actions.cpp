@@ -83,6 +83,7 @@ std::vector<KeyHelp> key_help(const std::vector<MenuAction>& actions) {
       {"Land", "W A S D", "fly forwards, left, back, right"},
       {"Land", "Q E", "fly down, up"},
       {"Entries", "double click, Ctrl+click", "type a number into a slider"},
+      {"Entries", "Esc", "close the menu, list or dialog on top"},
   };
   help.insert(help.end(), land.begin(), land.end());
   return help;

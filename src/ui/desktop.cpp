@@ -8,6 +8,7 @@
 #include <deque>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <stdexcept>
 
 #include "io/png.h"
@@ -88,7 +89,7 @@ class Desktop final : public Stage {
 
   const std::function<bool()> asked_to_end_;
   Studio studio_;
-  StillPainter stills_;
+  std::unique_ptr<StillPainter> stills_ = std::make_unique<StillPainter>();  // before the window, as it asks
   Gui gui_;  // before the window, whose input goes into it
   Window window_;
   GuiRenderer renderer_;
@@ -114,9 +115,10 @@ Desktop::Desktop(const DesktopRequest& request)
     : asked_to_end_(request.asked_to_end),
       studio_(request.folders),
       window_(options(request, studio_.settings())),
-      land_(window_.is_software(), &stills_),
+      land_(window_.is_software(), stills_.get()),
       shell_(studio_, *this, gui_),
       map_(request.widget_map) {
+  if (!window_.is_software()) stills_.reset();  // a graphics card is quick enough by itself
   if (request.scale > 0) studio_.settings().scale = request.scale;
   studio_.log().information("drawing with " + window_.driver());
   if (const std::string why = studio_.why_not_kept(); !why.empty()) {
