@@ -1,4 +1,5 @@
 // `erg validate`: writes docs/validation.md, or prints it.
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -8,10 +9,12 @@
 #include "app/known_words.h"
 #include "app/options.h"
 #include "app/output_folder.h"
+#include "app/page_part.h"
 #include "app/validation.h"
 #include "core/errors.h"
 #include "io/atomic_file.h"
 #include "io/provenance.h"
+#include "io/text_file.h"
 
 namespace erg {
 namespace {
@@ -61,7 +64,8 @@ void add_validate_command(CLI::App& program, Action& action) {
   CLI::App* command =
       program.add_subcommand("validate", "Measure what is in print beside this program's figures (long)");
   command->add_flag("--quick", options->validation.quick, "Fewer seeds and steps, only the small scenes");
-  command->add_option("--out", options->out, "Markdown file to write (default: print)");
+  command->add_option("--out", options->out,
+                      "Markdown file to write (default: print); with --section only that part of it");
   command->add_option("--section", options->section, "Only this section of the document")
       ->check(one_of(section_names()));
   command->add_option("--scene", options->validation.scene, "With --section published: only the row of this preset")
@@ -78,7 +82,11 @@ void add_validate_command(CLI::App& program, Action& action) {
       for (const Section& section : sections) {
         if (options->section == section.name) document = section.measure(options->validation);
       }
-      if (document.empty()) document = validation_document(options->validation);
+      if (document.empty()) {
+        document = validation_document(options->validation);
+      } else if (!options->out.empty() && std::filesystem::is_regular_file(options->out)) {
+        document = with_part(read_text_file(options->out, "page"), document);
+      }
       if (options->out.empty()) {
         std::cout << document;
       } else {

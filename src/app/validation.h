@@ -29,7 +29,7 @@ std::string snow_section(const ValidationOptions& options);
 std::string plants_section(const ValidationOptions& options);
 /// Ripples of the grain model under several winds.
 std::string ripples_section(const ValidationOptions& options);
-/// Laws of nature, each beside what the models do.
+/// Laws of nature, each beside what the models do; of one law only its own part, under a heading of the third level.
 std::string nature_section(const ValidationOptions& options);
 /// The laws of which it has a table.
 std::vector<std::string> nature_law_names();

@@ -54,7 +54,11 @@ void Setup::choose_material(Material material) {
 
 const ModelType& Setup::model() const { return find_model(config_.model); }
 
-void Setup::choose_model(const std::string& key) { change_model(config_, key); }
+void Setup::choose_model(const std::string& key) {
+  change_model(config_, key);
+  config_.title = has_its_own_model() ? named_.title : "";
+  config_.description = has_its_own_model() ? named_.description : "";
+}
 
 std::vector<SetupRow> Setup::rows(const std::string& group, const Config* running) const {
   std::vector<SetupRow> found;

@@ -68,7 +68,9 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
     prepare_hops<Lane>(law, wind.strength, key);
     return sweep_until_done<Lane>(progress);
   };
+  const std::uint64_t stamp = stamp_;
   while (!(narrow_ ? sweep(std::uint8_t{}) : sweep(std::uint16_t{}))) change_lanes(false);
+  stamp_ = stamp;
   highest_ = progress.highest;
   hand_out_lift_counts();
 
@@ -100,6 +102,7 @@ bool ParallelExecutor::sweep_until_done(Progress& progress) {
     prepare_strips<Lane>(rows);
     const Progress start = progress;
     bool crowded = false;
+    stamp_ = 0;  // what the planes hold until the step is done is nobody's terrain
     team_.run(sweepers(), [&](int member) {
       const Progress end = sweep_as_member<Lane>(member, start, rows);
       if (member != 0) return;
@@ -132,8 +135,10 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     keep_firsts<Lane>(kernels, slide_plan<Lane>(plan, *progress.law, member, 0), member);
     team_.meet();
   }
+  if (!progress.law->repeated_polling && progress.account.sweep % options_.sweeps != 0) draw_round(progress, member);
   // What members show each other lies in two places in turn: no member is more than one meeting ahead of another.
   for (int turn = 0; goes_on(progress) && ring_rows(progress.highest) <= rows; turn = 1 - turn) {
+    if (!progress.law->repeated_polling && progress.account.sweep % options_.sweeps == 0) draw_round(progress, member);
     SweepPlan<Lane> plan = sweep_plan<Lane>(progress);
     plan.before = before;
     plan.after = after;
@@ -173,6 +178,13 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     std::swap(before, after);
   }
   return progress;
+}
+
+/// What a round of non-repeated polling draws; each member takes a part of it.
+void ParallelExecutor::draw_round(const Progress& progress, int member) {
+  const auto [first, end] = share(PolledRows::permutations, member, sweepers());
+  polled_rows_[rows_of_round(progress)].draw(progress.key, progress.account.sweep, options_.sweeps, first, end);
+  team_.meet();
 }
 
 void ParallelExecutor::meet_unless(bool apart) {
@@ -293,8 +305,8 @@ template <typename Lane>
 SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress) const {
   const Planes<Lane>& mine = planes<Lane>();
   SweepPlan<Lane> plan;
-  static_cast<SubSweep&>(plan) =
-      sub_sweep(*progress.law, frame_, open_, progress.key, progress.account, options_.sweeps);
+  static_cast<SubSweep&>(plan) = sub_sweep(*progress.law, frame_, open_, progress.key, progress.account,
+                                           options_.sweeps, polled_rows_[rows_of_round(progress)]);
   plan.layout = layout_;
   plan.before_firsts = mine.firsts.data();
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();

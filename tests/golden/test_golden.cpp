@@ -47,8 +47,8 @@ std::vector<Golden> golden_runs() {
       {"uneven", {"model=bishop", "scene.kind=uneven", "scene.height=6"}, "3a8dc4e0c7e8850d", "05970b6c8a719b0e"},
       {"grains",
        {"model=grains", "grid.cell_size=0.01", "scene.sand=60", "wind.strength=10", "wind.bearing=255"},
-       "c8cafbb6dc776c44",
-       "c8cafbb6dc776c44",
+       "ec7adcae8a752b82",
+       "ec7adcae8a752b82",
        4},
   };
 }

@@ -98,11 +98,11 @@ TEST(Exact, ForcedErosionLiftsAsManySlabsAsThereAreCells) {
 
 TEST(Exact, CoverScalesLiftAndLanding) {
   // rho = 0.4: a slab lifts with 0.6 and stays with p + rho (1 - p) = 0.76.
-  CoverField cover(Extent{200, 200}, 102);
+  const Cover cover{CoverField(Extent{200, 200}, 102)};
   for (const Machine& machine : machines()) {
     SlabLaw law = flat_bed_law();
     law.cover = &cover;
-    Terrain terrain(cover.extent(), 1, 1.0 / 3);
+    Terrain terrain(cover->extent(), 1, 1.0 / 3);
     terrain.edit_mobile().fill(60);
     terrain.open_ledger();
     const auto executor = make_executor(machine.options);
@@ -113,9 +113,9 @@ TEST(Exact, CoverScalesLiftAndLanding) {
 }
 
 TEST(Exact, FullCoverHoldsEverything) {
-  CoverField cover(Extent{40, 40}, 255);
+  const Cover cover{CoverField(Extent{40, 40}, 255)};
   for (const Machine& machine : machines()) {
-    World world{.extent = cover.extent()};
+    World world{.extent = cover->extent()};
     Terrain terrain = world.strewn();
     SlabLaw law = flat_bed_law();
     law.cover = &cover;
@@ -148,7 +148,7 @@ TEST(Exact, NothingStandsSteeperThanRepose) {
     World world{.extent = {64, 64}};
     Terrain terrain = world.strewn();
     // Full cover: no wind at work, only slides.
-    CoverField cover(world.extent, 255);
+    const Cover cover{CoverField(world.extent, 255)};
     SlabLaw law;
     law.cover = &cover;
     terrain.edit_mobile()(20, 20) = 60;
@@ -168,9 +168,9 @@ TEST(Exact, NothingStandsSteeperThanRepose) {
 }
 
 TEST(Exact, StepsTooLongForSixteenBitsStand) {
-  CoverField cover(Extent{40, 40}, 255);
+  const Cover cover{CoverField(Extent{40, 40}, 255)};
   for (const Machine& machine : machines()) {
-    World world{.extent = cover.extent(), .sand = 30};
+    World world{.extent = cover->extent(), .sand = 30};
     Terrain terrain = world.strewn();
     SlabLaw law = flat_bed_law();
     law.bare = {3, 4};
@@ -193,7 +193,7 @@ TEST(Exact, NothingStandsSteeperThanReposeOnSkewedPlanes) {
       terrain.edit_mobile()[cell] = static_cast<std::int32_t>(random_below({5, 0}, 0, cell, 0, 12));
     }
     terrain.open_ledger();
-    CoverField cover(terrain.extent(), 255);
+    const Cover cover{CoverField(terrain.extent(), 255)};
     SlabLaw law;
     law.cover = &cover;
     law.neighbours = 8;
@@ -223,7 +223,7 @@ TEST(Exact, ATallConeSlidesToTheSameSlopeInEveryAzimuthWithEightNeighbours) {
     }
   }
   terrain.open_ledger();
-  CoverField cover(terrain.extent(), 255);
+  const Cover cover{CoverField(terrain.extent(), 255)};
   SlabLaw law;
   law.cover = &cover;
   law.neighbours = 8;

@@ -212,6 +212,26 @@ TEST(LibraryUse, NothingIsMeasuredOrWrittenOfATerrainWithoutCells) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(LibraryUse, APictureHasValuesFromBlackToWhite) {
+  Config plants = small_config("nield_baas");
+  plants.parameters.set("vegetation", std::string("image"));
+  Config ground = small_config("werner");
+  ground.scene.set("kind", std::string("image"));
+  for (const Extent extent : {Extent{24, 16}, Extent{3, 2}}) {
+    HeightPicture picture(extent, 0.5f);
+    EXPECT_EQ(message([&] { Simulation(plants, nullptr, &picture).step(); }), "no error");
+    EXPECT_EQ(message([&] { Simulation(ground, &picture).step(); }), "no error");
+    for (const float value : {nan, HUGE_VALF, -0.1f, 1e9f}) {
+      picture(1, 1) = value;
+      EXPECT_THROW(Simulation(plants, nullptr, &picture), InputError) << value;
+      EXPECT_THROW(Simulation(ground, &picture), InputError) << value;
+    }
+  }
+  const HeightPicture empty;
+  EXPECT_THROW(Simulation(plants, nullptr, &empty), InputError);
+  EXPECT_THROW(Simulation(ground, &empty), InputError);
+}
+
 TEST(LibraryUse, ATerrainHasSidesAndLengths) {
   for (const Extent extent : {Extent{0, 0}, Extent{0, 5}, Extent{-1, 5}, Extent{5, largest_side + 1}}) {
     EXPECT_THROW(Terrain(extent, 1, 1), InputError) << extent.nx << " x " << extent.ny;
