@@ -6,7 +6,7 @@
 namespace erg::ERG_KERNEL_SPACE {
 
 /// Height of the shadow line (1/256 slabs) that falls on a row of a line, from all that stands upwind: what a scan from
-/// there would bring along. Looks back only as far as the highest cell could still reach.
+/// there would bring along. Looks back only as far as the highest cell could still reach, and once around the torus.
 __device__ inline std::int64_t shadow_from_upwind(const DevicePlan& plan, std::int32_t line, std::int32_t row) {
   const std::int64_t fall = plan.sweep.row_fall;
   const std::int64_t highest = static_cast<std::int64_t>(*plan.highest) << fixed_point_bits;
