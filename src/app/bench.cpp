@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
-#include <thread>
 #include <typeinfo>
 
 #include "app/model_stage.h"
+#include "core/allowance.h"
 #include "core/random.h"
 #include "core/units.h"
 #include "models/slab_model.h"
@@ -237,9 +237,7 @@ bool is_law_alone(const ModelType& type) {
 
 }  // namespace
 
-int bench_threads(const BenchOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+int bench_threads(const BenchOptions& options) { return options.threads > 0 ? options.threads : allowed_threads(); }
 
 Config bench_config(const std::string& model, int side, const std::vector<std::string>& settings) {
   Config config(model);

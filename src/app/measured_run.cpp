@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "analysis/crests.h"
+#include "core/exact_text.h"
 #include "io/provenance.h"
 #include "wind/shadow.h"
 
@@ -53,7 +53,7 @@ RunStatistics MeasuredRun::statistics() {
   numbers.shadow_fraction = shadow_fraction(shadow_map(terrain, simulation_.last_wind().bearing, fall));
   const CoarseSurface surface = coarse_surface(terrain, Layer::surface);
   numbers.spectrum = measure_spectrum(surface);
-  numbers.crest_spacing = crest_spacing(surface, simulation_.last_wind().bearing);
+  numbers.crest_spacing = crest_spacing(surface, simulation_.last_wind().mean_bearing());
   numbers.migration = migration_.velocity().value_or(Shift{});
   numbers.totals = simulation_.totals();
   numbers.readings = simulation_.model().readings();
@@ -65,12 +65,6 @@ RunStatistics MeasuredRun::statistics() {
   numbers.seconds = seconds_;
   numbers.polls_per_second = seconds_ > 0 ? static_cast<double>(polls_) / seconds_ : 0;
   return numbers;
-}
-
-std::string hash_text(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
 }
 
 std::string statistics_json(Simulation& simulation, const RunStatistics& numbers) {
@@ -87,6 +81,7 @@ std::string statistics_json(Simulation& simulation, const RunStatistics& numbers
   object["seed"] = simulation.config().run.integer("seed");
   object["executor"] = simulation.executor().name();
   object["threads"] = simulation.executor().threads();
+  object["instructions"] = to_string(wanted_instruction_set());
   object["sweeps"] = simulation.config().run.integer("sweeps");
   object["max_slabs"] = numbers.shape.max_slabs;
   object["mean_slabs"] = numbers.shape.mean_slabs;

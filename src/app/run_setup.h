@@ -30,6 +30,10 @@ struct RunRequest {
 /// all mistakes of config and options.
 Simulation start_simulation(const RunRequest& request);
 
+/// Whether files are written while it runs.
+bool writes_files(const RunRequest& request);
+/// The folder of its files: the one asked for, or the usual one.
+std::string output_folder(const RunRequest& request);
 /// A name for the run's files: that of its config or checkpoint.
 std::string run_name(const RunRequest& request);
 

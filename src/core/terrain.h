@@ -59,7 +59,8 @@ inline constexpr int largest_side = 16384;
 class Terrain {
  public:
   Terrain() = default;
-  /// A flat, empty terrain. cell_size in m; quantum in m: the height of one count.
+  /// A flat, empty terrain. cell_size in m; quantum in m: the height of one count. Throws InputError for sides outside
+  /// of smallest_side to largest_side, and for lengths that are not positive.
   Terrain(Extent extent, double cell_size, double quantum, Boundary boundary = Boundary::torus);
 
   Extent extent() const { return bedrock_.extent(); }
@@ -114,7 +115,12 @@ class Terrain {
   Stamp fields_stamp_;
 };
 
+/// Throws InputError for a terrain without cells, and for one whose layers and fields differ in extent: nothing can be
+/// measured or written of it.
+void check_whole(const Terrain& terrain);
+
 /// A hash of everything that decides how the terrain goes on: extent, layers, fields. For golden tests and `--hash`.
+/// Throws as check_whole does.
 std::uint64_t state_hash(const Terrain& terrain);
 
 }  // namespace erg

@@ -37,9 +37,9 @@ class DeviceSlabs {
   /// Lays the terrain out for a wind from another side.
   void turn(const WindFrame& frame);
   DevicePlan layout() const;
-  DevicePlan step_plan(const SlabLaw& law, double strength);
+  DevicePlan step_plan(const SlabLaw& law, double strength, StepKey key);
   void load_cover(const SlabLaw& law);
-  void prepare_hops(DevicePlan& plan, const SlabLaw& law, double strength);
+  void prepare_hops(DevicePlan& plan, const SlabLaw& law, double strength, StepKey key);
   double mean_deviation(const DevicePlan& plan, double mean);
   void sweep(DevicePlan plan);
   void slide(DevicePlan plan, const SlabLaw& law);

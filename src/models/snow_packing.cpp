@@ -109,7 +109,7 @@ class SnowPacking : public SlabModel {
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover(terrain);
-    StepReport report = executor.step(terrain, law, wind, key);
+    StepReport report = move_slabs(terrain, law, wind, key, executor);
     const double day = static_cast<double>(key.step);
     const double least = pack(terrain, daily_growth(values(), wind.temperature, day), snow_class(values(), day).most);
     report.finished = least >= 1;
@@ -152,7 +152,7 @@ class SnowPacking : public SlabModel {
 ModelType snow_packing() {
   return {{.key = "snow_packing",
            .title = "Snow packing",
-           .citation = "after Cimbura, F. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
+           .citation = "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
                        "printed it is 0 at -20 deg C)",
            .makes = "snow ripples that freeze day by day",
            .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",

@@ -27,7 +27,8 @@ void LandSheet::update(SurfaceWorkshop& workshop, const SheetPlace& place, const
                              .periodic = periodic,
                              .cell_side = cell_side_,
                              .quantum = terrain.quantum() / place.window.block,
-                             .raw = raw_};
+                             .raw = raw_,
+                             .block = place.window.block};
   maps_.update(workshop, source, request.light, request.effort, changed);
 }
 

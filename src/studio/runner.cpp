@@ -69,7 +69,13 @@ void Runner::give(Command command) {
 }
 
 void Runner::create(std::vector<Config> configs) {
-  give([this, configs = std::move(configs)] { make([&] { runs_.create(configs); }); });
+  give([this, configs = std::move(configs)] {
+    make([&] {
+      std::vector<std::string> notes;
+      runs_.create(configs, &notes);
+      for (const std::string& note : notes) log_.information(note);
+    });
+  });
 }
 
 void Runner::resume(std::vector<Saved> saved) {
@@ -297,7 +303,7 @@ void Runner::take_back_if_torn() {
   const std::shared_ptr<const Snapshot> whole = snapshot();
   Lockstep::Moment moment;
   for (const RunSnapshot& run : whole->runs) moment.push_back(std::make_shared<const RunState>(run.state()));
-  runs_.go_to(moment);
+  runs_.go_to(moment, whole->blown);
   torn_ = false;
   publisher_.touched(runs_);
   log_.information("the runs stand as they were after step " + std::to_string(whole->step()));
@@ -310,6 +316,7 @@ void Runner::publish() {
   next->message = message_;
   next->speed_limit = speed_limit_;
   next->seconds_worked = std::chrono::duration<double>(runs_.worked()).count();
+  next->blown = runs_.blown();
   next->goal_start = goal_start_;
   next->goal = goal_;
   next->undo_count = runs_.undo_count();

@@ -67,8 +67,7 @@ class ParallelExecutor : public Executor {
   struct Progress {
     const SlabLaw* law = nullptr;
     StepKey key;
-    int sweep = 0;         ///< sub-sweeps done
-    int idle = 0;          ///< sub-sweeps since the last lift
+    StepAccount account;
     int highest = 0;       ///< bound on the highest cell
     bool crowded = false;  ///< the next sub-sweep needs 16-bit lanes
     SweepCounts counts;    ///< summed over sub-sweeps
@@ -104,7 +103,7 @@ class ParallelExecutor : public Executor {
   void load_cover(const SlabLaw& law);
   void prepare_walls(const SlabLaw& law);
   template <typename Lane>
-  void prepare_hops(const SlabLaw& law, double strength);
+  void prepare_hops(const SlabLaw& law, double strength, StepKey key);
   template <typename Lane>
   double mean_deviation(double mean);
   int ring_rows(int highest) const;
@@ -121,13 +120,13 @@ class ParallelExecutor : public Executor {
   bool sweep_until_done(Progress& progress);
   template <typename Lane>
   Progress sweep_as_member(int member, Progress progress, int rows);
-  static void take_account(Progress& progress, const SweepCounts& counts, int bound);
+  static void take_account(Progress& progress, const SubSweep& done, const SweepCounts& counts, int bound);
   template <typename Lane>
   static SweepCounts summed(const std::vector<Strip<Lane>>& strips, int turn);
   void draw_round(const Progress& progress, int member);
   /// Which of the polled_rows_ is the round's: two in turn, for a member may draw those of the next round while another
   /// still polls by this one's.
-  int rows_of_round(const Progress& progress) const { return progress.sweep / options_.sweeps % 2; }
+  int rows_of_round(const Progress& progress) const { return progress.account.sweep / options_.sweeps % 2; }
   void meet_unless(bool apart);
   template <typename Lane>
   void slide_blocks(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member, bool apart);

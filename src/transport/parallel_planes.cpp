@@ -169,10 +169,9 @@ void ParallelExecutor::prepare_walls(const SlabLaw& law) {
 
 /// Fills the table of hops in rows * 256, one entry for each height over the base (or one for all).
 template <typename Lane>
-void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength) {
-  const auto rows_256 = [&](double above_reference) {
-    return hop_rows_256({strength, law.hop.linear, law.hop.quadratic, frame_.cosine}, above_reference);
-  };
+void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength, StepKey key) {
+  const HopCurve hop{strength, law.hop.linear, law.hop.quadratic, frame_.cosine, hop_rounding(key)};
+  const auto rows_256 = [&](double above_reference) { return hop_rows_256(hop, above_reference); };
   if (!law.hop.depends_on_height()) {
     hop_table_.assign(1, rows_256(0));
     return;
@@ -291,8 +290,8 @@ int ParallelExecutor::ring_rows(int highest) const {
 
 template void ParallelExecutor::load_cover<std::uint8_t>(const SlabLaw&);
 template void ParallelExecutor::load_cover<std::uint16_t>(const SlabLaw&);
-template void ParallelExecutor::prepare_hops<std::uint8_t>(const SlabLaw&, double);
-template void ParallelExecutor::prepare_hops<std::uint16_t>(const SlabLaw&, double);
+template void ParallelExecutor::prepare_hops<std::uint8_t>(const SlabLaw&, double, StepKey);
+template void ParallelExecutor::prepare_hops<std::uint16_t>(const SlabLaw&, double, StepKey);
 template void ParallelExecutor::prepare_strips<std::uint8_t>(int);
 template void ParallelExecutor::prepare_strips<std::uint16_t>(int);
 template bool ParallelExecutor::lines_stay_apart<std::uint8_t>() const;

@@ -174,7 +174,10 @@ bool SerialExecutor::lift(std::size_t cell, Draws& draws) {
   const Place start = place_of(cell);
   if (!cover_.empty() && draws.unit() * 255 < cover_[cell]) return false;
   if (!law_.lift_in_shadow && in_shadow(start, draws)) return false;
-  const std::int32_t height = surface_[cell];
+  ++report_.lifts;
+  if (lift_counts() != nullptr) ++(*lift_counts())[frame_.cell(start.u, start.v)];
+  const int hop = hop_rows(surface_[cell], draws);
+  if (hop == 0) return true;  // it lies where it lay
   std::size_t source = cell;
   Place place = start;
   for (std::size_t next = steepest_neighbour(place, true); next != nowhere; next = steepest_neighbour(place, true)) {
@@ -182,9 +185,7 @@ bool SerialExecutor::lift(std::size_t cell, Draws& draws) {
     place = place_of(next);
   }
   change(source, -1);
-  ++report_.lifts;
-  if (lift_counts() != nullptr) ++(*lift_counts())[frame_.cell(start.u, start.v)];
-  fly(start, height, draws);
+  fly(start, hop, draws);
   return true;
 }
 
@@ -215,7 +216,7 @@ std::size_t SerialExecutor::steepest_neighbour(Place place, bool uphill) const {
 }
 
 /// A slab in the air: hops until it stays, meets an obstacle or leaves over an open edge (algorithms 2, 3 and 7).
-void SerialExecutor::fly(Place place, std::int32_t height, Draws& draws) {
+void SerialExecutor::fly(Place place, int hop, Draws& draws) {
   const double sideways = frame_.tangent > 0 ? draws.unit() : 0;
   const int first_u = place.u;
   const int flight_limit = longest_flight * frame_.length;
@@ -224,7 +225,7 @@ void SerialExecutor::fly(Place place, std::int32_t height, Draws& draws) {
     return first_u + static_cast<int>(std::floor(row * frame_.tangent + sideways));
   };
   while (true) {
-    const int target = rows + hop_rows(height, draws);
+    const int target = rows + std::max(1, hop);
     while (rows < target) {
       int u = sideways_at(rows + 1);
       int v = place.v + 1;
@@ -246,7 +247,7 @@ void SerialExecutor::fly(Place place, std::int32_t height, Draws& draws) {
       report_.travel += rows / frame_.cosine;
       return deposit(place);
     }
-    height = surface_[here];
+    hop = hop_rows(surface_[here], draws);
   }
 }
 
@@ -285,7 +286,7 @@ void SerialExecutor::enter(Draws& draws, Place entry) {
   if (draws.unit() < stay_chance(here) || in_shadow(place, draws)) {
     deposit(place);
   } else {
-    fly(place, surface_[here], draws);
+    fly(place, hop_rows(surface_[here], draws), draws);
   }
 }
 
@@ -338,7 +339,8 @@ double SerialExecutor::stay_chance(std::size_t cell) const {
   return chance + cover_[cell] / 255.0 * (1 - chance);
 }
 
-/// Length of a hop that starts on ground of this height, in rows of the frame, rounded at random; at least one.
+/// Length of a hop that starts on ground of this height, in rows of the frame, rounded at random. 0: a slab that was to
+/// lift lies where it lay; one in the air comes down a row further on all the same.
 int SerialExecutor::hop_rows(std::int32_t height, Draws& draws) const {
   double cells = strength_;
   if (law_.hop.depends_on_height()) {
@@ -347,7 +349,7 @@ int SerialExecutor::hop_rows(std::int32_t height, Draws& draws) const {
   }
   const double rows = cells * frame_.cosine;
   const double whole = std::floor(rows);
-  return std::max(1, static_cast<int>(rows == whole ? whole : std::floor(rows + draws.unit())));
+  return static_cast<int>(rows == whole ? whole : std::floor(rows + draws.unit()));
 }
 
 void SerialExecutor::change(std::size_t cell, int slabs) {

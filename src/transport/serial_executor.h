@@ -58,7 +58,7 @@ class SerialExecutor : public Executor {
 
   bool lift(std::size_t cell, Draws& draws);
   std::size_t steepest_neighbour(Place place, bool uphill) const;
-  void fly(Place place, std::int32_t height, Draws& draws);
+  void fly(Place place, int hop, Draws& draws);
   void enter(Draws& draws, Place entry);
   void let_inflow_enter();
   void deposit(Place place);

@@ -21,9 +21,9 @@ inline std::uint8_t cover_of(float rho) { return static_cast<std::uint8_t>(rho *
 ///
 ///     strength + linear * (h - reference) + quadratic * (h - reference)^2
 ///
-/// the last term only above the reference (Momiji et al. 2000; Cimbura 2022, eq. 4.1), never below `shortest_hop`.
-/// reference = mean height - deviation_weight * (mean of |h - mean height|): weight 0 is Momiji, 1/2 is Bishop et al.
-/// 2002 (Cimbura 2022, eq. 4.2). Werner: linear = quadratic = 0.
+/// the last term only above the reference (Momiji et al. 2000; Cimbura 2022, eq. 4.1), never below `shortest_hop`, nor
+/// below a strength that is less. reference = mean height - deviation_weight * (mean of |h - mean height|): weight 0 is
+/// Momiji, 1/2 is Bishop et al. 2002 (Cimbura 2022, eq. 4.2). Werner: linear = quadratic = 0.
 struct HopLaw {
   double linear = 0;
   double quadratic = 0;

@@ -11,7 +11,7 @@ namespace erg {
 
 class SnowDrift {
  public:
-  explicit SnowDrift(InstructionSet instructions = best_instruction_set())
+  explicit SnowDrift(InstructionSet instructions = wanted_instruction_set())
       : instructions_(instructions), machine_(instructions) {}
 
   /// One step on the threads of `executor`, in as many sub-sweeps as it has. The terrain must be settled and have the

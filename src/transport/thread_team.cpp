@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/allowance.h"
 #include "core/errors.h"
 
 #if defined(__x86_64__)
@@ -21,7 +22,7 @@ void pause_a_moment() {
 
 }  // namespace
 
-int spins_of(int members) { return members <= static_cast<int>(std::thread::hardware_concurrency()) ? 1000 : 0; }
+int spins_of(int members) { return members <= allowed_threads() ? 1000 : 0; }
 
 void Signal::wait_while(unsigned seen, int spins) const {
   for (int spin = 0; spin < spins; ++spin) {

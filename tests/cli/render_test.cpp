@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "io/png.h"
+#include "io/png_reader.h"
 #include "program.h"
 
 namespace erg::test {

@@ -1,11 +1,9 @@
-// What tells waves from sastrugi and barchans from parabolic dunes, on surfaces whose answer is known.
+// What tells waves from sastrugi, on surfaces whose answer is known.
 #include "analysis/bedforms.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "analysis/dune_patches.h"
 
 namespace erg {
 namespace {
@@ -77,49 +75,6 @@ TEST(Bedforms, SastrugiHaveToBeCarved) {
   EXPECT_EQ(named([](BedformShape& shape) { shape.across = 0.5; }), "rough");
   EXPECT_EQ(named([](BedformShape& shape) { shape.across = 0.2; }), "waves");
   EXPECT_EQ(named([](BedformShape& shape) { shape.relief = 0.001; }), "flat");
-}
-
-/// A crescent around (20, 20) whose sides are drawn out by `pull` cells along the wind.
-void put_crescent(Grid<std::int32_t>& mobile, int pull) {
-  for (int across = -8; across <= 8; ++across) {
-    const int shift = pull * across * across / 64;
-    for (int along = -3; along <= 3; ++along) {
-      mobile(wrap(20 + along + shift, mobile.nx()), wrap(20 + across, mobile.ny())) = 9;
-    }
-  }
-}
-
-TEST(DunePatches, ArmsPointUpwindOfTheMiddleOrDownwind) {
-  for (const int pull : {-12, 0, 12}) {
-    Terrain terrain({64, 64}, 1, 1);
-    put_crescent(terrain.edit_mobile(), pull);
-    const std::vector<DunePatch> dunes = find_dunes(terrain, west, 5, 1);
-    ASSERT_EQ(dunes.size(), 1u);
-    EXPECT_EQ(dunes[0].cells, 7 * 17);
-    if (pull == 0) {
-      EXPECT_NEAR(dunes[0].arms, 0, 1e-9);
-      EXPECT_NEAR(dunes[0].length / dunes[0].width, std::sqrt(48.0 / 288), 1e-6) << "a rectangle of 7 by 17";
-    } else {
-      EXPECT_GT(dunes[0].arms * pull, 0);
-      EXPECT_LT(find_dunes(terrain, 90, 5, 1)[0].arms * pull, 0) << "the other wind";
-      EXPECT_NEAR(find_dunes(terrain, 0, 5, 1)[0].arms, 0, 1e-9) << "symmetric about the x axis";
-    }
-  }
-}
-
-TEST(DunePatches, AreWholeAcrossTheEdgeAndApartWhenTheyDoNotTouch) {
-  Terrain terrain({32, 32}, 1, 1);
-  Grid<std::int32_t>& mobile = terrain.edit_mobile();
-  for (const int x : {30, 31, 0, 1}) mobile(x, 31) = mobile(x, 0) = 9;  // 4 by 2 over a corner
-  mobile(2, 1) = 9;                                                     // touches it at a corner only
-  for (int x = 0; x < 32; ++x) mobile(x, 16) = 9;                       // around the torus: no ends
-  const std::vector<DunePatch> dunes = find_dunes(terrain, west, 9, 2);
-  ASSERT_EQ(dunes.size(), 1u);
-  EXPECT_EQ(dunes[0].cells, 8);
-  EXPECT_NEAR(dunes[0].length / dunes[0].width, std::sqrt(15.0 / 3), 1e-6);
-  EXPECT_EQ(find_dunes(terrain, west, 9, 1).size(), 2u);
-  EXPECT_TRUE(find_dunes(terrain, west, 10, 1).empty());
-  EXPECT_EQ(mean_of_dunes({}).dunes, 0);
 }
 
 }  // namespace
