@@ -21,7 +21,7 @@ TEST(SubSweep, ALineOfATorusIsBackAfterRowsAround) {
     for (const double bearing : {270.0, 275.0, 290.0, 315.0, 10.0, 200.5}) {
       const WindFrame frame = wind_frame(extent, bearing);
       for (int number = 0; number < 8; ++number) {
-        const SubSweep sweep = sub_sweep(SlabLaw{}, frame, false, {5, 3}, number, 16);
+        const SubSweep sweep = sub_sweep(SlabLaw{}, frame, false, {5, 3}, {.sweep = number}, 16, {});
         EXPECT_EQ(sweep.rows_around % frame.length, 0);
         EXPECT_LE(sweep.rows_around, std::int64_t{frame.length} * frame.width);
         for (std::int64_t away = 1; away <= 3 * frame.length; ++away) {
