@@ -13,8 +13,8 @@
 #include "app/validation.h"
 #include "core/errors.h"
 #include "io/atomic_file.h"
+#include "io/given_file.h"
 #include "io/provenance.h"
-#include "io/text_file.h"
 
 namespace erg {
 namespace {
