@@ -42,6 +42,7 @@ double interpolated(const Grid<std::int32_t>& mobile, double x, double y) {
 }  // namespace
 
 std::optional<GridPoint> sand_centre(const Terrain& terrain) {
+  check_whole(terrain);
   const Grid<std::int32_t>& mobile = terrain.mobile();
   std::vector<double> columns(static_cast<std::size_t>(mobile.nx()));
   std::vector<double> rows(static_cast<std::size_t>(mobile.ny()));
