@@ -109,7 +109,7 @@ double asymmetry(const DuneMap& map) {
   return mismatch(map, mirrored);
 }
 
-Horns find_horns(const DuneMap& map, double least) {
+HornVolumes find_horns(const DuneMap& map, double least) {
   const auto axis = [&](int x) {
     double sum = 0;
     for (int y = -2; y <= 2; ++y) sum += map.at(x, y);
@@ -120,7 +120,7 @@ Horns find_horns(const DuneMap& map, double least) {
     if (axis(x) > axis(foot)) foot = x;
   }
   while (foot <= map.reach && axis(foot) >= least) ++foot;
-  Horns horns;
+  HornVolumes horns;
   for (int x = foot; x <= map.reach; ++x) {
     for (int y = 1; y <= map.reach; ++y) {
       const auto add = [&](double height, double& volume, int& length) {

@@ -45,14 +45,14 @@ double mismatch(const DuneMap& one, const DuneMap& other);
 double asymmetry(const DuneMap& map);
 
 /// A barchan's horns: sand that lies further downwind than the foot of the slip face on the dune's axis.
-struct Horns {
-  double left = 0;   ///< their volumes, sums of m
+struct HornVolumes {
+  double left = 0;  ///< their volumes, sums of m
   double right = 0;
   int left_length = 0;  ///< cells downwind from the foot that a horn reaches
   int right_length = 0;
 };
 /// The foot is where the axis (mean of five lines) falls below `least` m behind its highest point; what is thinner than
 /// `least` counts nowhere.
-Horns find_horns(const DuneMap& map, double least);
+HornVolumes find_horns(const DuneMap& map, double least);
 
 }  // namespace erg

@@ -78,7 +78,8 @@ void write_table(const std::filesystem::path& path, const std::vector<std::strin
 
 TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : file_(path), columns_(columns) {}
 
-TableFile::TableFile(const std::filesystem::path& path, std::vector<std::string> columns, const Provenance& provenance)
+TableFile::TableFile(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                     const Provenance& provenance)
     : TableFile(path, columns.size()) {
   file_.replace(head_text(columns, provenance));
   keep_config_beside(path, provenance);

@@ -80,12 +80,12 @@ TEST(DuneMap, AsymmetryIsTheShareOfSandThatTheOtherSideLacks) {
 
 TEST(DuneMap, HornsAreMeasuredBehindTheFoot) {
   for (const double bearing : {270.0, 300.0}) {
-    const Horns horns = find_horns(dune_map(heap(bearing, {64, 64}, horned(2)), bearing, 40), 0.5);
+    const HornVolumes horns = find_horns(dune_map(heap(bearing, {64, 64}, horned(2)), bearing, 40), 0.5);
     EXPECT_NEAR(horns.left / horns.right, 2, 0.25) << bearing;
     EXPECT_NEAR(horns.left_length, 15, 2) << bearing;
     EXPECT_NEAR(horns.right_length, 15, 2) << bearing;
   }
-  const Horns none = find_horns(dune_map(heap(270, {64, 64}, cone), 270, 40), 0.5);
+  const HornVolumes none = find_horns(dune_map(heap(270, {64, 64}, cone), 270, 40), 0.5);
   EXPECT_EQ(none.left + none.right, 0);
 }
 
