@@ -23,12 +23,12 @@ std::vector<PlantScene> plant_scenes() {
   const std::vector<std::string> bare{"grass=false", "mesquite=false"};
   const std::vector<std::string> small{"nx=96", "ny=96"};
   const std::vector<std::string> small_bare{"nx=96", "ny=96", "grass=false", "mesquite=false"};
-  return {{"nebkhas", "nebkhas", {}, 500, 12},
+  return {{"nebkhas", "nebkhas", {}, 500, 6},
           {"the same without plants", "nebkhas", bare, 500, 6},
-          {"parabolic dunes", "parabolic", {}, 1500, 12},
-          {"as in print (`mesquite_low` -1)", "thesis/nield_parabolic", {}, 1500, 12},
-          {"the same without plants", "parabolic", bare, 1500, 12},
-          {"parabolic dunes, 96 x 96 cells", "parabolic", small, 1500, 12},
+          {"parabolic dunes", "parabolic", {}, 1500, 6},
+          {"as in print (`mesquite_low` -1)", "thesis/nield_parabolic", {}, 1500, 6},
+          {"the same without plants", "parabolic", bare, 1500, 6},
+          {"parabolic dunes, 96 x 96 cells", "parabolic", small, 1500, 6},
           {"the same without plants", "parabolic", small_bare, 1500, 6},
           {"blowouts", "blowouts", {}, 1600, 25}};
 }

@@ -1,6 +1,10 @@
 #include "io/provenance.h"
 
+#include <cmath>
+
+#include "core/exact_text.h"
 #include "io/config_file.h"
+#include "sim/step_time.h"
 
 namespace erg {
 
@@ -16,13 +20,16 @@ Provenance provenance_of(const Config& config, std::int64_t step, const std::str
           .step = step,
           .model = config.model,
           .version = program_version(),
-          .executor = executor_text(executor, threads)};
+          .executor = executor_text(executor, threads),
+          .days = days_after(config, step)};
 }
 
 MetadataEntries metadata(const Provenance& provenance) {
-  return {{"erg:version", provenance.version},           {"erg:model", provenance.model},
-          {"erg:seed", std::to_string(provenance.seed)}, {"erg:step", std::to_string(provenance.step)},
-          {"erg:executor", provenance.executor},         {"erg:config", provenance.config}};
+  MetadataEntries entries{{"erg:version", provenance.version},           {"erg:model", provenance.model},
+                          {"erg:seed", std::to_string(provenance.seed)}, {"erg:step", std::to_string(provenance.step)},
+                          {"erg:executor", provenance.executor},         {"erg:config", provenance.config}};
+  if (std::isfinite(provenance.days)) entries.emplace_back("erg:days", exact_text(provenance.days));
+  return entries;
 }
 
 }  // namespace erg

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,8 @@ struct Provenance {
   std::string model;      ///< key in the catalogue
   std::string version;    ///< of the program
   std::string executor;   ///< "cpu, 2 threads"
+  /// Days of the world since step 0 (sim/step_time.h); not-a-number where steps have no time of their own.
+  double days = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The version of this program.
@@ -32,7 +35,8 @@ Provenance provenance_of(const Config& config, std::int64_t step, const std::str
 /// Names and texts to write into a file, in order.
 using MetadataEntries = std::vector<std::pair<std::string, std::string>>;
 
-/// The provenance as entries: "erg:version", "erg:model", "erg:seed", "erg:step", "erg:executor", "erg:config". A PNG
+/// The provenance as entries: "erg:version", "erg:model", "erg:seed", "erg:step", "erg:executor", "erg:config", and
+/// "erg:days" where it is known. A PNG
 /// carries them as text chunks, a VTI as field data of strings, a CSV as comment lines before its header.
 MetadataEntries metadata(const Provenance& provenance);
 

@@ -40,11 +40,16 @@ double first_value(const std::string& row, std::size_t columns) {
 
 }  // namespace
 
-void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
-                 const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
+std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
+                       const Provenance& provenance) {
   std::string text = comments("# ", provenance) + joined(columns, ",") + "\n";
   for (const std::vector<double>& row : rows) text += row_text(row, columns.size());
-  write_file_atomically(path, text);
+  return text;
+}
+
+void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                 const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
+  write_file_atomically(path, table_text(columns, rows, provenance));
 }
 
 TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : path_(path), columns_(columns) {}

@@ -292,13 +292,15 @@ ModelType snow_sintering() {
            .material = Material::snow,
            .start = {.cell_size = 0.1, .strength = 11, .sand = 6},
            .asks_temperature = true,
-           .asks_snowfall = true,
-           .seconds_a_step = "time_step"},
+           .asks_snowfall = true},
           snow_sintering_parameters(),
           snow_sintering_fields(),
           22,  // heights and weather of SnowMachine; its strips are one for each thread
           [](const ParameterValues& values) { return std::make_unique<SnowSintering>(values); },
-          explain_sintering};
+          explain_sintering,
+          [](const ParameterValues& values, double, double) {
+            return StepScale{values.real("time_step"), 0};
+          }};
 }
 
 }  // namespace erg

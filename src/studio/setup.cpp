@@ -5,6 +5,7 @@
 #include <random>
 
 #include "sim/simulation.h"
+#include "sim/step_time.h"
 
 namespace erg {
 namespace {
@@ -113,9 +114,7 @@ void Setup::reset_all() {
   fresh_seed_ = false;
 }
 
-std::vector<std::string> Setup::explanations() const {
-  return model().explain(config_.parameters, config_.grid.real("cell_size"));
-}
+std::vector<std::string> Setup::explanations() const { return explain(config_); }
 
 std::vector<Mistake> Setup::mistakes() const {
   std::vector<Mistake> found;

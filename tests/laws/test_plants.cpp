@@ -107,7 +107,6 @@ TEST(Plants, HoldSteeperSlopes) {
 }
 
 /// Patches of at least 30 cells whose sand is `least` slabs thick or more, at the end of runs with seeds 1 to `seeds`.
-/// Of dunes with sand of at least `least` slabs.
 DuneMeans dunes_grown(const std::vector<std::string>& settings, int steps, int least, int seeds) {
   std::vector<Dune> dunes;
   for (int seed = 1; seed <= seeds; ++seed) {
