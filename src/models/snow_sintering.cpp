@@ -153,15 +153,13 @@ void fill(OctaveTable& table, const Function& function) {
 }
 
 std::vector<std::string> explain_sintering(const ParameterValues& values, double cell_size) {
-  char time[120], loose_snow[160], hop[160];
-  std::snprintf(time, sizeof time, "a step is %g s: an hour is %.0f steps", values.real("time_step"),
-                seconds_per_hour / values.real("time_step"));
+  char loose_snow[160], hop[160];
   std::snprintf(loose_snow, sizeof loose_snow,
                 "at -10 deg C loose snow an hour old lifts from %.1f m/s on; bonding takes %.1f h", mean_threshold(-10),
                 bonding_hours(values, -10));
   std::snprintf(hop, sizeof hop, "a hop in a wind of 10 m/s: %.2f m, %.1f cells", hop_metres(values, 10),
                 hop_metres(values, 10) / cell_size);
-  return {time, loose_snow, hop};
+  return {loose_snow, hop};
 }
 
 class SnowSintering : public Model {

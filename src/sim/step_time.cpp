@@ -9,6 +9,8 @@
 namespace erg {
 namespace {
 
+constexpr double seconds_an_hour = 3600;
+
 std::string words(const char* form, double amount) {
   char text[48];
   std::snprintf(text, sizeof text, form, amount);
@@ -22,6 +24,7 @@ std::string volume_text(double square_metres) {
 std::string step_text(const StepScale& scale, Material material) {
   const char* sand = material == Material::snow ? "snow" : "sand";
   std::string text = "a step is " + world_time_text(scale.seconds);
+  if (scale.seconds < seconds_an_hour) text += words(": an hour is %.0f steps", seconds_an_hour / scale.seconds);
   if (scale.seconds >= seconds_a_day) text += words(" (%.1f a year)", seconds_a_year / scale.seconds);
   if (!(scale.flux > 0)) return text;
   return text + "; in it " + volume_text(scale.flux) + " pass over flat " + sand + ", " +
@@ -43,8 +46,8 @@ double days_after(const Config& config, std::int64_t steps) {
 }
 
 std::string world_time_text(double seconds) {
-  if (seconds < 3600) return words("%.1f s", seconds);
-  if (seconds < seconds_a_day) return words("%.1f h", seconds / 3600);
+  if (seconds < seconds_an_hour) return words("%.4g s", seconds);
+  if (seconds < seconds_a_day) return words("%.1f h", seconds / seconds_an_hour);
   if (seconds < seconds_a_year) return words("%.1f days", seconds / seconds_a_day);
   return words("%.1f years", seconds / seconds_a_year);
 }

@@ -16,7 +16,7 @@ StepScale step_scale(const Config& config);
 /// Days of the world after so many steps; not-a-number where steps have no time of their own.
 double days_after(const Config& config, std::int64_t steps);
 
-/// A time in words: "40.0 s", "1.5 h", "20.3 days", "2.4 years".
+/// A time in words: "40 s", "1.5 h", "20.3 days", "2.4 years".
 std::string world_time_text(double seconds);
 
 /// What the config's values mean, in words for people: in slabs and cells (ModelType::explain), and what a step is.

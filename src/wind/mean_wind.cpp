@@ -19,7 +19,11 @@ double mean_of(const Season& season) {
                                                 : (static_cast<double>(sample) + 0.5) / static_cast<double>(samples);
     sum += std::lerp(season.first, season.last, season.curve.at(time));
   }
-  return sum / static_cast<double>(samples);
+  const double mean = sum / static_cast<double>(samples);
+  if (samples == season.steps) return mean;
+  // The steps reach both ends of the curve, so the ends count half a step more than in its integral.
+  const auto steps = static_cast<double>(season.steps);
+  return (mean * (steps - 1) + (season.first + season.last) / 2) / steps;
 }
 
 }  // namespace

@@ -35,12 +35,12 @@ TEST(StepTime, IsThatOfTheSandThatReallyPasses) {
       config.grid.set("nx", std::int64_t{128});
       config.grid.set("ny", std::int64_t{128});
       config.scene.set("sand", 20.0);
-      config.parameters.set("polling", std::string("nonrepeated"));
+      config.parameters.set("shadow_angle", 80.0);  // the flux leaves shadows out, which rubble has from the first step
       config.run.set("executor", std::string(executor));
       config.run.set("threads", std::int64_t{1});
       Simulation simulation(config);
-      const double travel = simulation.step().travel / (128 * 128);  // slabs past a cell, before dunes shade the ground
-      EXPECT_NEAR(travel / 3, step_scale(config).flux, 0.12 * step_scale(config).flux) << model << " " << executor;
+      const double slabs = simulation.step().travel / (128 * 128);  // past a cell
+      EXPECT_NEAR(slabs / 3, step_scale(config).flux, 0.04 * step_scale(config).flux) << model << " " << executor;
     }
   }
 }
@@ -67,7 +67,7 @@ TEST(StepTime, BelongsToTheMeanStrengthOfSeasons) {
 }
 
 TEST(StepTime, IsExplainedInWords) {
-  EXPECT_EQ(world_time_text(40), "40.0 s");
+  EXPECT_EQ(world_time_text(40), "40 s");
   EXPECT_EQ(world_time_text(5400), "1.5 h");
   EXPECT_EQ(world_time_text(20.29 * seconds_a_day), "20.3 days");
   EXPECT_EQ(world_time_text(2.4 * seconds_a_year), "2.4 years");
