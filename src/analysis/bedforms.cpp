@@ -40,6 +40,7 @@ double bare_crust(const Terrain& terrain) {
 }  // namespace
 
 BedformShape measure_bedforms(const Terrain& terrain, double bearing) {
+  check_whole(terrain);
   const Grid<double> height = smoothed(terrain);
   const double east = -std::sin(radians(bearing));
   const double north = -std::cos(radians(bearing));

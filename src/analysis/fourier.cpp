@@ -58,6 +58,7 @@ void transform_lines(Spectrum2D& grid, bool forward) {
 }  // namespace
 
 CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, Extent extent) {
+  check_whole(terrain);
   CoarseSurface coarse{Grid<double>(extent), static_cast<double>(terrain.nx()) / extent.nx,
                        static_cast<double>(terrain.ny()) / extent.ny, terrain.boundary() == Boundary::torus};
   const auto height = [&](int x, int y) {
@@ -78,6 +79,7 @@ CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, Extent extent)
 }
 
 CoarseSurface coarse_surface(const Terrain& terrain, Layer layer) {
+  check_whole(terrain);
   constexpr int largest = 1024;
   return coarse_surface(terrain, layer, {std::min(terrain.nx(), largest), std::min(terrain.ny(), largest)});
 }

@@ -47,6 +47,7 @@ void measure_heights(const Terrain& terrain, Morphometry& result) {
 }  // namespace
 
 Morphometry measure(const Terrain& terrain) {
+  check_whole(terrain);
   Morphometry result;
   if (terrain.extent().cells() == 0) return result;
   measure_mobile(terrain.mobile(), result);

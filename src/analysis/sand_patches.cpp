@@ -63,6 +63,7 @@ class PatchSearch {
 }  // namespace
 
 SandPatches find_patches(const Terrain& terrain, std::int32_t least, std::int64_t smallest) {
+  check_whole(terrain);
   PatchSearch search(terrain, least);
   SandPatches patches;
   for (int y = 0; y < terrain.ny(); ++y) {

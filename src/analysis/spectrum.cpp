@@ -30,11 +30,11 @@ SpectrumNumbers measure_spectrum(const CoarseSurface& surface) {
   if (power_sum <= 1e-20 * cells * cells) return {};
   // The wave vector's angle counts from east, counter-clockwise; crests lie across it, and a bearing counts clockwise
   // from north: 90 - (angle + 90).
-  SpectrumNumbers numbers{power_sum / wave_number_sum, std::hypot(cosine, sine) / power_sum, {}};
-  if (numbers.alignment < least_alignment) return numbers;
   const double crest = -degrees(0.5 * std::atan2(sine, cosine));
   const double folded = crest < 0 ? crest + 180 : crest;
-  numbers.crest_bearing = folded >= 180 ? 0 : folded + 0.0;
+  SpectrumNumbers numbers{
+      power_sum / wave_number_sum, std::hypot(cosine, sine) / power_sum, folded >= 180 ? 0 : folded + 0.0, {}};
+  if (numbers.alignment >= least_alignment) numbers.crest_bearing = numbers.axis;
   return numbers;
 }
 

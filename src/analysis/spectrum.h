@@ -16,7 +16,9 @@ struct SpectrumNumbers {
   /// mean of (cos 2a, sin 2a) over all wave vectors, a their angle, weighted by power.
   double alignment = 0;
   /// The axis along which crests run, degrees clockwise from north, in [0, 180): 0 is north-south. Across half the
-  /// angle of that mean. Nothing where the alignment is less than `least_alignment`: there it would be chance.
+  /// angle of that mean. Where alignment is low it is chance; 0 for a flat surface.
+  double axis = 0;
+  /// The same, and nothing where the alignment is less than `least_alignment`.
   std::optional<double> crest_bearing;
 };
 /// Fields of single barchans have alignments of 0.04 to 0.37 and bearings that are off by any angle; transverse and

@@ -41,8 +41,9 @@ TextTable field_table(const std::vector<FieldInfo>& fields) {
 
 /// With what a config begins that says nothing but its model.
 std::string start_text(const ModelStart& start) {
-  return "cells of " + value_text(start.cell_size) + " m, a wind of strength " + value_text(start.strength) + ", " +
-         value_text(start.sand) + " slabs a cell";
+  const std::string swing = start.spread > 0 ? " that swings by " + value_text(start.spread) + " deg" : "";
+  return "cells of " + value_text(start.cell_size) + " m, a wind of strength " + value_text(start.strength) + swing +
+         ", " + value_text(start.sand) + " slabs a cell";
 }
 
 std::string weather_text(const ModelInfo& info) {

@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/command.h"
 #include "app/presets.h"
@@ -17,13 +19,15 @@ namespace {
 
 ExitCode check_config(const std::string& name) {
   const std::string path = config_path(name);
-  const Config config = read_config(path);
-  read_picture_of(config.scene);
-  read_picture_of(config.parameters);
+  std::vector<std::string> notes;
+  Config config = read_config(path, &notes);
+  take_grid_from_picture(config);
+  read_pictures(config, &notes);
   const ModelType& type = find_model(config.model);
   std::cout << path << ": good; " << type.info.title << ", " << config.grid.integer("nx") << " x "
             << config.grid.integer("ny") << " cells, " << config.run.integer("steps") << " steps\n";
   for (const std::string& meaning : explain(config)) std::cout << "  " << meaning << "\n";
+  for (const std::string& note : notes) std::cout << "  note: " << note << "\n";
   return exit_done;
 }
 

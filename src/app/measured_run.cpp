@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "analysis/crests.h"
+#include "core/exact_text.h"
 #include "core/units.h"
 #include "io/config_file.h"
 #include "io/provenance.h"
@@ -58,7 +58,7 @@ RunStatistics MeasuredRun::statistics() {
   numbers.shadow_fraction = shadow_fraction(shadow_map(terrain, simulation_.last_wind().bearing, fall));
   const CoarseSurface surface = coarse_surface(terrain, Layer::surface);
   numbers.spectrum = measure_spectrum(surface);
-  numbers.crest_spacing = crest_spacing(surface, simulation_.last_wind().bearing);
+  numbers.crest_spacing = crest_spacing(surface, simulation_.last_wind().mean_bearing());
   numbers.migration = migration_.velocity().value_or(Shift{});
   numbers.totals = simulation_.totals();
   numbers.readings = simulation_.model().readings();
@@ -70,12 +70,6 @@ RunStatistics MeasuredRun::statistics() {
   numbers.seconds = seconds_;
   numbers.polls_per_second = seconds_ > 0 ? static_cast<double>(polls_) / seconds_ : 0;
   return numbers;
-}
-
-std::string hash_text(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
 }
 
 namespace {
@@ -123,6 +117,7 @@ void add_run(NumbersWithUnits& all, Simulation& simulation) {
   all.add("seed", "", config.run.integer("seed"));
   all.add("executor", "", simulation.executor().name());
   all.add("threads", "1", simulation.executor().threads());
+  all.add("instructions", "", to_string(wanted_instruction_set()));
   all.add("sweeps", "1", config.run.integer("sweeps"));
 }
 

@@ -9,4 +9,8 @@ void print_notice(Executor& executor) {
   if (const std::string notice = executor.take_notice(); !notice.empty()) std::cerr << "\rerg: " << notice << "\n";
 }
 
+void print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) std::cerr << "note: " << note << "\n";
+}
+
 }  // namespace erg

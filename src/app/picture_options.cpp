@@ -1,12 +1,14 @@
 #include "app/picture_options.h"
 
-#include <CLI/CLI.hpp>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 
+#include "app/known_words.h"
+#include "app/options.h"
 #include "core/errors.h"
+#include "core/exact_text.h"
 #include "io/camera_file.h"
+#include "io/given_file.h"
 #include "render/gl_context.h"
 #include "wind/bearing.h"
 #include "wind/shadow.h"
@@ -14,19 +16,11 @@
 namespace erg {
 namespace {
 
-template <typename Number>
-std::optional<Number> parse_number(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 PictureSize parse_size(const std::string& text, int supersample) {
   const std::size_t cross = text.find('x');
   if (cross != std::string::npos) {
-    const auto width = parse_number<int>(std::string_view(text).substr(0, cross));
-    const auto height = parse_number<int>(std::string_view(text).substr(cross + 1));
+    const auto width = number_from<int>(std::string_view(text).substr(0, cross));
+    const auto height = number_from<int>(std::string_view(text).substr(cross + 1));
     if (width && height && *width > 0 && *height > 0) return {*width, *height, supersample};
   }
   throw InputError("--size " + text, "is no size", "give width and height in pixels, such as 1920x1080");
@@ -35,7 +29,7 @@ PictureSize parse_size(const std::string& text, int supersample) {
 void parse_sun(const std::string& text, Look& look) {
   const std::size_t comma = text.find(',');
   const auto altitude =
-      comma == std::string::npos ? std::nullopt : parse_number<double>(std::string_view(text).substr(comma + 1));
+      comma == std::string::npos ? std::nullopt : number_from<double>(std::string_view(text).substr(comma + 1));
   if (!altitude) {
     throw InputError("--sun " + text, "is no place of the sun", "give bearing and altitude, such as 285,24 or W,30");
   }
@@ -44,7 +38,7 @@ void parse_sun(const std::string& text, Look& look) {
 }
 
 Camera find_camera(const std::string& name, const LandBox& land, double aspect) {
-  return std::filesystem::is_regular_file(name) ? read_camera(name) : camera_preset(name, land, aspect);
+  return file_trouble(name, "camera file") ? camera_preset(name, land, aspect) : read_camera(name);
 }
 
 }  // namespace
@@ -58,17 +52,25 @@ CLI::Option_group& add_picture_options(CLI::App& program, PictureRequest& reques
                   "material, sand, snow, elevation, slope, shadow, flux, or a field of the model")
       ->capture_default_str();
   command.add_option("--palette", request.look.palette, "Colours of values: RdYlGn, cividis, batlow, grey ...");
-  command.add_option("--contours", request.look.contours, "Interval of contour lines, in the unit of what is shown");
+  command.add_option("--contours", request.look.contours, "Interval of contour lines, in the unit of what is shown")
+      ->check(finite_number());
   command.add_option("--sun", request.sun, "Bearing and altitude of the sun in degrees (default 285,24)");
-  command.add_option("--exaggeration", request.look.exaggeration, "Factor on all heights")->capture_default_str();
-  command.add_option("--grain", request.look.grain, "Strength of grains and ripples, 0 to 1")->capture_default_str();
-  command.add_option("--copies", request.copies,
-                     "Rings of copies around a torus (default: to the horizon for materials in perspective)");
+  command.add_option("--exaggeration", request.look.exaggeration, "Factor on all heights")
+      ->capture_default_str()
+      ->check(finite_number());
+  command.add_option("--grain", request.look.grain, "Strength of grains and ripples, 0 to 1")
+      ->capture_default_str()
+      ->check(finite_number());
+  command
+      .add_option("--copies", request.copies,
+                  "Rings of copies around a torus (default: to the horizon for materials in perspective)")
+      ->check(whole_number(0, 8));
   command.add_option("--supersample", request.supersample, "Pixels drawn for each pixel, each way")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(whole_number(1, 4));
   command.add_option("--context", request.context, "What draws: auto, egl, osmesa")
       ->capture_default_str()
-      ->check(CLI::IsMember(offscreen_kinds()));
+      ->check(one_of(offscreen_kinds()));
   command.add_flag("--wireframe", request.look.wireframe, "Show the edges of the strips");
   command.add_flag("--raw", request.look.raw_cells, "Straight lines from cell to cell, no smoothing");
   command.add_flag("--transparent", request.look.transparent, "Nothing behind the land, nothing written over it");
@@ -94,15 +96,15 @@ PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view)
 
 RunView::RunView(Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
-  const double bearing = simulation.last_wind().bearing;
-  shadow_ = shadow_field(terrain, bearing, simulation.model().shadow_fall(terrain.cell_size()));
+  const WindNow wind = simulation.last_wind();
+  shadow_ = shadow_field(terrain, wind.bearing, simulation.model().shadow_fall(terrain.cell_size()));
   view_.terrain = &terrain;
   view_.fields = {&shadow_};
   if (simulation.flux() != nullptr) {
     flux_ = simulation.flux()->mean();
     view_.fields.push_back(&flux_);
   }
-  view_.wind = bearing;
+  view_.wind = wind.mean_bearing();
   view_.paths = simulation.model().paths();
   view_.material = simulation.model_type().info.material;
 }

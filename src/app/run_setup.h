@@ -36,6 +36,10 @@ bool is_checkpoint(const std::string& source);
 /// The same for commands that take a config, a preset or a checkpoint, with the assignments of --set.
 Simulation start_from(const std::string& source, const std::vector<std::string>& assignments);
 
+/// Whether files are written while it runs.
+bool writes_files(const RunRequest& request);
+/// The folder of its files: the one asked for, or the usual one.
+std::string output_folder(const RunRequest& request);
 /// A name for the run's files: that of its config or checkpoint.
 std::string run_name(const RunRequest& request);
 

@@ -1,15 +1,18 @@
 #include "app/sample.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <future>
+#include <exception>
+#include <mutex>
 #include <thread>
 
 #include "app/presets.h"
 #include "app/progress.h"
 #include "app/text_table.h"
+#include "core/allowance.h"
 #include "io/config_file.h"
 
 namespace erg {
@@ -31,6 +34,29 @@ SeedRun run_once(Config config, int seed, const std::vector<std::int64_t>& watch
 }
 
 }  // namespace
+
+void share_jobs(int jobs, const std::function<void(int)>& job) {
+  const int workers = std::min(jobs, allowed_threads());
+  std::atomic<int> next{0};
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto work = [&] {
+    for (int at = next++; at < jobs; at = next++) {
+      try {
+        job(at);
+      } catch (...) {
+        const std::scoped_lock lock(failing);
+        failure = std::current_exception();
+        next = jobs;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int worker = 0; worker < workers; ++worker) threads.emplace_back(work);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
 
 double Sample::mean() const {
   double sum = 0;
@@ -59,17 +85,8 @@ std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor
   const auto start = std::chrono::steady_clock::now();
   std::fprintf(stderr, "validate: %s, %s, %s ... ", config.title.c_str(), executor.c_str(),
                count_text(seeds, "seed").c_str());
-  // As many runs as there are processors go side by side, each on one thread: none waits for another.
   set_from_text(seeded, "run.threads=1");
-  const int side_by_side = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  std::vector<SeedRun> runs;
-  for (int first = 1; first <= seeds; first += side_by_side) {
-    std::vector<std::future<SeedRun>> batch;
-    for (int seed = first; seed < std::min(first + side_by_side, seeds + 1); ++seed) {
-      batch.push_back(std::async(std::launch::async, run_once, seeded, seed, watch));
-    }
-    for (std::future<SeedRun>& run : batch) runs.push_back(run.get());
-  }
+  std::vector<SeedRun> runs = side_by_side<SeedRun>(seeds, [&](int job) { return run_once(seeded, job + 1, watch); });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   std::fprintf(stderr, "%s\n", duration_text(elapsed.count()).c_str());
   return runs;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,10 +12,23 @@
 
 namespace erg {
 
+/// Calls `job` with 0 to `jobs` - 1, as many at a time as there are processors. A job should run on one thread: then
+/// none waits for another. Rethrows what a job throws.
+void share_jobs(int jobs, const std::function<void(int)>& job);
+
+/// What `job` returns for 0 to `jobs` - 1, in this order.
+template <typename Result, typename Job>
+std::vector<Result> side_by_side(int jobs, const Job& job) {
+  std::vector<Result> results(static_cast<std::size_t>(jobs));
+  share_jobs(jobs, [&](int at) { results[static_cast<std::size_t>(at)] = job(at); });
+  return results;
+}
+
 /// A number that was measured once for each seed.
 class Sample {
  public:
   void add(double value) { values_.push_back(value); }
+  int count() const { return static_cast<int>(values_.size()); }
   bool empty() const { return values_.empty(); }
   double mean() const;
   /// Standard deviation over the seeds; 0 for one seed.

@@ -11,6 +11,7 @@ namespace erg {
 struct ValidationOptions {
   bool quick = false;  ///< fewer seeds, fewer steps, only the small scenes
   std::string scene;   ///< of the published scenes only this preset of cfg/thesis/; empty: all of them
+  std::string law;     ///< of the laws of nature only this one; empty: all of them
 };
 
 /// Each measures (and says on standard error what it is at) and returns a section of Markdown.
@@ -28,6 +29,10 @@ std::string snow_section(const ValidationOptions& options);
 std::string plants_section(const ValidationOptions& options);
 /// Ripples of the grain model under several winds.
 std::string ripples_section(const ValidationOptions& options);
+/// Laws of nature, each beside what the models do; of one law only its own part, under a heading of the third level.
+std::string nature_section(const ValidationOptions& options);
+/// The laws of which it has a table.
+std::vector<std::string> nature_law_names();
 /// What follows from the rules by algebra.
 std::string identities_section();
 

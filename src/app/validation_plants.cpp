@@ -1,23 +1,15 @@
 // Shapes of dunes among plants: how long and wide, and which way their arms point.
 #include <cstdio>
 
-#include "analysis/dune_outlines.h"
 #include "app/presets.h"
 #include "app/sample.h"
 #include "app/text_table.h"
 #include "app/validation.h"
+#include "app/validation_plants.h"
 #include "io/config_file.h"
 
 namespace erg {
 namespace {
-
-struct PlantScene {
-  const char* name;
-  const char* preset;
-  std::vector<std::string> settings;
-  int steps;
-  int least;  ///< slabs: thinner sand is no dune
-};
 
 std::vector<PlantScene> plant_scenes() {
   const std::vector<std::string> bare{"grass=false", "mesquite=false"};
@@ -33,23 +25,10 @@ std::vector<PlantScene> plant_scenes() {
           {"blowouts", "blowouts", {}, 1600, 25}};
 }
 
-DuneMeans shapes(const PlantScene& scene, int seed) {
-  Config config = read_config(config_path(scene.preset));
-  for (const std::string& setting : scene.settings) set_from_text(config, setting);
-  set_from_text(config, "run.executor=cpu");
-  set_from_text(config, "run.threads=1");  // small lands: two threads would wait for each other more than they work
-  set_from_text(config, "run.seed=" + std::to_string(seed));
-  Simulation simulation(config);
-  while (simulation.step_count() < scene.steps && !simulation.finished()) simulation.step();
-  const DuneRule rule{.base = 0, .least = scene.least};
-  return mean_of_dunes(find_dunes(simulation.terrain(), simulation.last_wind().bearing, rule).dunes);
-}
-
 std::vector<std::string> shape_row(const PlantScene& scene, int seeds) {
   std::fprintf(stderr, "validate: shapes, %s, %s\n", scene.name, count_text(seeds, "seed").c_str());
   Sample dunes, ratio, arms;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    const DuneMeans means = shapes(scene, seed);
+  for (const DuneMeans& means : side_by_side<DuneMeans>(seeds, [&](int job) { return shapes(scene, 1 + job); })) {
     dunes.add(means.dunes);
     ratio.add(means.length_over_width);
     arms.add(means.arms);
@@ -59,6 +38,18 @@ std::vector<std::string> shape_row(const PlantScene& scene, int seeds) {
 }
 
 }  // namespace
+
+DuneMeans shapes(const PlantScene& scene, int seed) {
+  Config config = read_config(config_path(scene.preset));
+  for (const std::string& setting : scene.settings) set_from_text(config, setting);
+  set_from_text(config, "run.executor=cpu");
+  set_from_text(config, "run.threads=1");  // small lands: two threads would wait for each other more than they work
+  set_from_text(config, "run.seed=" + std::to_string(seed));
+  Simulation simulation(config);
+  while (simulation.step_count() < scene.steps && !simulation.finished()) simulation.step();
+  const DuneRule rule{.base = 0, .least = scene.least};
+  return mean_of_dunes(find_dunes(simulation.terrain(), simulation.last_wind().mean_bearing(), rule).dunes);
+}
 
 std::string plants_section(const ValidationOptions& options) {
   const int seeds = options.quick ? 1 : 6;

@@ -10,7 +10,8 @@
 namespace erg {
 namespace {
 
-/// A row of print: one run of one program (Cimbura 2022, tables 6.1 to 6.7).
+/// A row of print: one run of one program. Its settings stand in tables 6.1 to 6.7 of Cimbura 2022 and the text beside
+/// them, its height in the captions of figures 6.1 to 6.13.
 struct PublishedScene {
   const char* preset;  ///< in cfg/thesis/
   int max_slabs;       ///< 0: not printed
@@ -22,7 +23,7 @@ constexpr PublishedScene published_scenes[] = {
     {"werner_linear", 0, false},    {"momiji_barchans", 26, false},   {"momiji_transverse", 34, true},
     {"momiji_star", 22, false},     {"bishop_barchans", 28, false},   {"momiji_barchans_1024", 29, true},
     {"momiji_rocks", 0, true},      {"nield_nebkhas", 58, false},     {"nield_parabolic", 85, true},
-    {"nield_blowouts", 76, true},   {"nield_islands", 57, false},     {"snow_ripples", 8, false},
+    {"nield_blowouts", 76, true},   {"nield_islands", 57, false},     {"snow_ripples", 0, false},
 };
 
 std::string deviation_text(double value, double reference) {
@@ -73,7 +74,9 @@ std::string published_section(const ValidationOptions& options) {
     table.rows.push_back(row);
   }
   return "## Thickest column, in slabs, beside print\n\nPrinted figures: one run each of another program (Cimbura "
-         "2022, tables 6.1 to 6.7). Ours: mean over " +
+         "2022, captions of figures 6.1 to 6.13; settings from tables 6.1 to 6.7 and the text beside them; -: no "
+         "height "
+         "is printed). Ours: mean over " +
          count_text(seeds, "seed") + ", spread over the seeds in brackets.\n\n" + table.markdown();
 }
 

@@ -15,6 +15,15 @@ std::string lines(const std::vector<Mistake>& mistakes) {
   return joined(texts, "\n");
 }
 
+/// ASCII capitals made small.
+std::string folded(std::string_view text) {
+  std::string low(text);
+  for (char& c : low) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return low;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -28,6 +37,21 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     }
   }
   return row[b.size()];
+}
+
+/// The only candidate that begins as `wanted` (folded) does, or that it begins with; "" where there are none or
+/// several.
+std::string only_with_same_start(const std::string& wanted, std::span<const std::string> candidates) {
+  constexpr std::size_t shortest = 3;
+  const std::string* only = nullptr;
+  for (const std::string& candidate : candidates) {
+    const std::string known = folded(candidate);
+    if (std::min(wanted.size(), known.size()) < shortest) continue;
+    if (!known.starts_with(wanted) && !wanted.starts_with(known)) continue;
+    if (only != nullptr) return "";
+    only = &candidate;
+  }
+  return only != nullptr ? *only : "";
 }
 
 }  // namespace
@@ -59,18 +83,20 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string nearest_word(std::string_view word, std::span<const std::string> candidates) {
+  const std::string wanted = folded(word);
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     const std::size_t longer = std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size());
     if (longer >= best_distance) continue;  // so many letters differ at least; a word may be a whole file
-    const std::size_t distance = edit_distance(word, candidate);
-    if (distance < best_distance) {
+    const std::size_t distance = edit_distance(wanted, folded(candidate));
+    const bool same_case_too = distance == best_distance && candidate == word;
+    if (distance < best_distance || same_case_too) {
       best_distance = distance;
       best = candidate;
     }
   }
-  return best;
+  return best.empty() ? only_with_same_start(wanted, candidates) : best;
 }
 
 std::string suggestion(std::string_view word, std::span<const std::string> candidates) {

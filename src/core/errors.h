@@ -35,7 +35,9 @@ class InputError : public std::runtime_error {
 /// The text in double quotes for a message: on one line, cut after 60 bytes.
 std::string in_quotes(std::string_view text);
 
-/// The candidate that `word` most likely meant (edit distance at most a third of its length, at least 2), or "".
+/// The candidate that `word` most likely meant, or "": edit distance at most a third of its length, at least 2, where
+/// capital and small letters are the same; else the only candidate that begins as the word does or that the word begins
+/// with (three letters at least).
 std::string nearest_word(std::string_view word, std::span<const std::string> candidates);
 
 /// `did you mean "x"?` when a near candidate exists, else `expected one of a, b, c`.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -13,9 +12,12 @@ namespace erg {
 namespace {
 
 /// Whole numbers up to here are exact as double, and in every JSON reader.
-constexpr double largest_exact = 0x1.0p53;
+constexpr std::int64_t largest_whole = std::int64_t{1} << 53;
 
-bool is_whole(double number) { return std::trunc(number) == number && std::abs(number) <= largest_exact; }
+/// Not the largest itself, which as a double may have been the number after it.
+bool is_whole(double number) {
+  return std::trunc(number) == number && std::abs(number) < static_cast<double>(largest_whole);
+}
 
 /// The value as the parameter keeps it. Call after `check_value`.
 ParameterValue stored(const Parameter& parameter, ParameterValue value) {
@@ -30,16 +32,6 @@ ParameterValue stored(const Parameter& parameter, ParameterValue value) {
   return value;
 }
 
-/// Reads all of `text` as a number; nothing if it is none.
-template <typename Number>
-std::optional<Number> number_from(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 std::string shown(const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   const auto* curve = std::get_if<PiecewiseLinear>(&value);
@@ -50,7 +42,7 @@ std::string shown(const ParameterValue& value) {
 }
 
 Mistake unacceptable(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
-  return {place, parameter.key + " is " + shown(value), "expected " + accepted_text(parameter)};
+  return {place, parameter.key + " is " + shown(value), "expected " + accepted_with_unit(parameter)};
 }
 
 std::optional<Mistake> check_number(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
@@ -58,11 +50,18 @@ std::optional<Mistake> check_number(const Parameter& parameter, const ParameterV
   const auto* real = std::get_if<double>(&value);
   if (whole == nullptr && real == nullptr) return unacceptable(parameter, value, place);
   const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
+  // Beyond these a whole number may lie next to a limit and become it as a double.
+  const bool exact = whole == nullptr || parameter.kind == ParameterKind::real ||
+                     (*whole >= -largest_whole && *whole <= largest_whole);
   const bool kind_fits = parameter.kind == ParameterKind::real || whole != nullptr || is_whole(number);
   // Written so that NaN, which is neither below nor above anything, is refused.
-  const bool range_fits = number >= parameter.minimum && number <= parameter.maximum;
+  const bool range_fits = exact && number >= parameter.minimum && number <= parameter.maximum;
   if (kind_fits && range_fits) return std::nullopt;
-  return unacceptable(parameter, value, place);
+  Mistake mistake = unacceptable(parameter, value, place);
+  if (number > 0 && number < parameter.minimum && !parameter.too_small.empty()) {
+    mistake.remedy += "; " + parameter.too_small;
+  }
+  return mistake;
 }
 
 std::optional<Mistake> check_choice(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
@@ -152,6 +151,11 @@ Parameter curve_parameter(std::string key, std::string label, std::string unit, 
   return parameter;
 }
 
+Parameter with_hint(Parameter parameter, std::string too_small) {
+  parameter.too_small = std::move(too_small);
+  return parameter;
+}
+
 Parameter at_start(Parameter parameter) {
   parameter.at_start = true;
   return parameter;
@@ -230,9 +234,14 @@ std::string accepted_text(const Parameter& parameter) {
   return joined(parameter.choices, ", ");
 }
 
+std::string accepted_with_unit(const Parameter& parameter) {
+  return accepted_text(parameter) + (parameter.unit.empty() ? "" : " " + parameter.unit);
+}
+
 ParameterValues::ParameterValues(Parameters declared) : declared_(std::move(declared)) {
   values_.reserve(declared_.size());
   for (const Parameter& parameter : declared_) values_.push_back(parameter.standard);
+  set_.resize(values_.size());
 }
 
 const Parameter* ParameterValues::find(std::string_view key) const {
@@ -249,11 +258,20 @@ void ParameterValues::set(std::string_view key, ParameterValue value) {
   }
   if (auto mistake = check_value(*parameter, value, "")) throw InputError({std::move(*mistake)});
   values_[position(key)] = stored(*parameter, std::move(value));
+  set_[position(key)] = true;
 }
 
 const ParameterValue& ParameterValues::value(std::string_view key) const { return values_[position(key)]; }
 
 bool ParameterValues::is_default(std::string_view key) const { return value(key) == declared_[position(key)].standard; }
+
+bool ParameterValues::is_set(std::string_view key) const { return set_[position(key)]; }
+
+void ParameterValues::reset(std::string_view key) {
+  const std::size_t place = position(key);
+  values_[place] = declared_[place].standard;
+  set_[place] = false;
+}
 
 double ParameterValues::real(std::string_view key) const { return std::get<double>(value(key)); }
 

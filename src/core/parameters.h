@@ -36,6 +36,8 @@ struct Parameter {
   std::vector<std::string> choices;
   std::string meaning;
   std::string source;  ///< paper, equation or table; "" for our own
+  /// What a positive number under `minimum` is a sign of, for the message that refuses it; may be empty.
+  std::string too_small;
   /// Only matters when the choice `key` (first) of the same group has one of the values (rest); empty: always.
   std::vector<std::string> only_when;
   /// Read only when the terrain is made: a change needs a new terrain. Others may change while a run goes on.
@@ -52,6 +54,8 @@ Parameter boolean_parameter(std::string key, std::string label, bool standard, s
 Parameter choice_parameter(std::string key, std::string label, std::string standard, std::vector<std::string> choices,
                            std::string meaning, std::string source = {});
 Parameter path_parameter(std::string key, std::string label, std::string meaning);
+/// The same declaration with its `too_small`.
+Parameter with_hint(Parameter parameter, std::string too_small);
 /// The same declaration, marked as read only when the terrain is made.
 Parameter at_start(Parameter parameter);
 /// The same declaration with its `only_when`.
@@ -81,6 +85,8 @@ std::string value_text(const ParameterValue& value);
 
 /// "0 to 1", "flat, random" ...: what a parameter accepts, for help and error messages.
 std::string accepted_text(const Parameter& parameter);
+/// The same with the unit, where there is one: "0.001 to 1000 m".
+std::string accepted_with_unit(const Parameter& parameter);
 
 /// One value for each declared parameter, starting at the defaults.
 class ParameterValues {
@@ -99,6 +105,10 @@ class ParameterValues {
   const ParameterValue& value(std::string_view key) const;
   /// Whether the value is the declared default.
   bool is_default(std::string_view key) const;
+  /// Whether the value was set, be it to the default; values compare equal all the same.
+  bool is_set(std::string_view key) const;
+  /// Back to the declared default, as if it had never been set.
+  void reset(std::string_view key);
 
   /// The value of a parameter of this kind.
   double real(std::string_view key) const;
@@ -118,6 +128,7 @@ class ParameterValues {
 
   Parameters declared_;
   std::vector<ParameterValue> values_;
+  std::vector<bool> set_;
 };
 
 /// The path parameter that matters, or nullptr.

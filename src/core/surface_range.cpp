@@ -5,6 +5,7 @@
 namespace erg {
 
 SurfaceRange surface_range(const Terrain& terrain) {
+  check_whole(terrain);
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();
   SurfaceRange range{terrain.height(0, 0), terrain.height(0, 0)};
@@ -16,6 +17,9 @@ SurfaceRange surface_range(const Terrain& terrain) {
   return range;
 }
 
-std::int32_t lowest_bedrock(const Terrain& terrain) { return *std::ranges::min_element(terrain.bedrock().cells()); }
+std::int32_t lowest_bedrock(const Terrain& terrain) {
+  check_whole(terrain);
+  return *std::ranges::min_element(terrain.bedrock().cells());
+}
 
 }  // namespace erg

@@ -53,7 +53,7 @@ void DeviceSlabs::load(const Terrain& terrain, const WindFrame& frame) {
   const std::uint32_t bounds[2] = {static_cast<std::uint32_t>(heights.highest), 0};
   device_.send(highest_.data(), bounds, 2);
   current_ = 0;
-  cover_loaded_ = false;
+  cover_stamp_ = 0;
 }
 
 void DeviceSlabs::turn(const WindFrame& frame) {
@@ -66,7 +66,7 @@ void DeviceSlabs::turn(const WindFrame& frame) {
     device_.launch(DeviceKernel::stage_bedrock, cells(), from);
     device_.launch(DeviceKernel::lay_bedrock, cells(), to);
   }
-  cover_loaded_ = false;
+  cover_stamp_ = 0;
 }
 
 void DeviceSlabs::settle(Terrain& terrain) {
@@ -137,18 +137,17 @@ DevicePlan DeviceSlabs::layout() const {
 void DeviceSlabs::load_cover(const SlabLaw& law) {
   if (law.cover == nullptr) {
     cover_ = DeviceArray<std::uint8_t>();
-    cover_loaded_ = false;
+    cover_stamp_ = 0;
     return;
   }
-  if (cover_loaded_ && cover_revision_ == law.cover_revision) return;
+  if (cover_stamp_ == law.cover->stamp()) return;
   device_.fit(cover_, dark_.size());
-  const auto cover = law.cover->cells();
+  const auto cover = (*law.cover)->cells();
   device_.copy_in(staged_.data(), cover.size(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
     std::memcpy(target, cover.data() + first, bytes);
   });
   device_.launch(DeviceKernel::lay_cover, cells(), layout());
-  cover_revision_ = law.cover_revision;
-  cover_loaded_ = true;
+  cover_stamp_ = law.cover->stamp();
 }
 
 /// Mean of |h - mean| over the cells, from counts of heights: the same sum as on the processor.
@@ -165,9 +164,9 @@ double DeviceSlabs::mean_deviation(const DevicePlan& plan, double mean) {
   return sum / static_cast<double>(cells());
 }
 
-void DeviceSlabs::prepare_hops(DevicePlan& plan, const SlabLaw& law, double strength) {
+void DeviceSlabs::prepare_hops(DevicePlan& plan, const SlabLaw& law, double strength, StepKey key) {
   plan.hop_by_height = law.hop.depends_on_height();
-  plan.hop = {strength, law.hop.linear, law.hop.quadratic, frame_.cosine};
+  plan.hop = {strength, law.hop.linear, law.hop.quadratic, frame_.cosine, hop_rounding(key)};
   if (plan.hop_by_height) {
     const double mean = static_cast<double>(bedrock_total_ + mobile_total_) / static_cast<double>(cells()) - base_;
     const double deviation = law.hop.deviation_weight != 0 ? mean_deviation(plan, mean) : 0;
@@ -176,13 +175,13 @@ void DeviceSlabs::prepare_hops(DevicePlan& plan, const SlabLaw& law, double stre
   device_.launch(DeviceKernel::fill_hop_table, plan.hop_by_height ? device_heights : 1, plan);
 }
 
-DevicePlan DeviceSlabs::step_plan(const SlabLaw& law, double strength) {
+DevicePlan DeviceSlabs::step_plan(const SlabLaw& law, double strength, StepKey key) {
   load_cover(law);
   DevicePlan plan = layout();
   plan.walls = law.obstacles && relief_;
   plan.covered_from = law.covered_from;
   plan.tiles = plane_layout(frame_, open_);
-  prepare_hops(plan, law, strength);
+  prepare_hops(plan, law, strength, key);
   return plan;
 }
 
@@ -191,21 +190,20 @@ DevicePlan DeviceSlabs::step_plan(const SlabLaw& law, double strength) {
 StepReport DeviceSlabs::step(const SlabLaw& law, const WindFrame& frame, double strength, StepKey key) {
   if (!frame_.same_axes(frame)) turn(frame);
   frame_ = frame;
-  DevicePlan plan = step_plan(law, strength);
+  DevicePlan plan = step_plan(law, strength, key);
   device_.fill(tally_.data(), 0, tally_.bytes());
   SlabCounts counts;
-  int idle = 0;
-  for (int number = 0; goes_on(law, number, idle, counts.of[tally_lifts], cells(), sweeps_); ++number) {
-    plan.sweep = sub_sweep(law, frame_, open_, key, number, sweeps_);
+  StepAccount account;
+  while (goes_on(law, account, cells(), sweeps_)) {
+    if (!law.repeated_polling && account.sweep % sweeps_ == 0) polled_rows_.draw(key, account.sweep, sweeps_);
+    plan.sweep = sub_sweep(law, frame_, open_, key, account, sweeps_, polled_rows_);
     sweep(plan);
     slide(plan, law);
     std::swap(before_, after_);
     std::swap(plan.before, plan.after);
     current_ = 1 - current_;
-    if (!law.forced_erosion) continue;
-    const std::int64_t lifts = counts.of[tally_lifts];
-    counts = read_counts(device_, tally_);
-    idle = counts.of[tally_lifts] > lifts ? 0 : idle + 1;
+    if (law.forced_erosion) counts = read_counts(device_, tally_);  // else nobody asks
+    account.book(plan.sweep, counts.of[tally_lifts] - account.lifts);
   }
   counts = read_counts(device_, tally_);
   mobile_total_ += counts.of[tally_in] - counts.of[tally_out];

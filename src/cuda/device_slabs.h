@@ -37,24 +37,24 @@ class DeviceSlabs {
   /// Lays the terrain out for a wind from another side.
   void turn(const WindFrame& frame);
   DevicePlan layout() const;
-  DevicePlan step_plan(const SlabLaw& law, double strength);
+  DevicePlan step_plan(const SlabLaw& law, double strength, StepKey key);
   void load_cover(const SlabLaw& law);
-  void prepare_hops(DevicePlan& plan, const SlabLaw& law, double strength);
+  void prepare_hops(DevicePlan& plan, const SlabLaw& law, double strength, StepKey key);
   double mean_deviation(const DevicePlan& plan, double mean);
   void sweep(DevicePlan plan);
   void slide(DevicePlan plan, const SlabLaw& law);
 
   Device& device_;
   int sweeps_;
+  PolledRows polled_rows_;  // of the round under way
   WindFrame frame_;
   bool open_ = false;
   bool relief_ = false;
   std::int32_t base_ = 0;  // lowest bedrock
   std::int64_t bedrock_total_ = 0;
   std::int64_t mobile_total_ = 0;
-  std::uint64_t cover_revision_ = 0;
-  bool cover_loaded_ = false;
-  int current_ = 0;  // which of the two bounds belongs to before_
+  std::uint64_t cover_stamp_ = 0;  // of the cover that is loaded; 0: none
+  int current_ = 0;                // which of the two bounds belongs to before_
 
   DeviceArray<std::uint32_t> before_;
   DeviceArray<std::uint32_t> after_;

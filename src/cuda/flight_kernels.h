@@ -52,14 +52,20 @@ __device__ inline bool stays(const Ground& ground, std::uint32_t slab) {
   return line_byte(key, ground.line) < ground.chance;
 }
 
-/// Rows of the hop from here.
+/// Rows of the hop from here: of a slab that is lifted.
 __device__ inline std::int32_t hop_from(const DevicePlan& plan, const Ground& ground, std::int32_t row) {
   if (plan.hop_by_height) {
     const std::uint32_t random = byte_of(next_word(ground.landing_word, Draw::hop), ground.line);
     return static_cast<std::int32_t>(hop_rows(plan.hop_table[ground.height], random));
   }
-  const std::uint32_t random = line_byte(hop_key(plan.sweep.sweep_word, static_cast<std::uint32_t>(row)), ground.line);
-  return static_cast<std::int32_t>(hop_rows(plan.hop_table[0], random));
+  const std::uint32_t rows_256 = plan.hop_table[0];
+  const std::uint32_t key = hop_key(plan.sweep.sweep_word, static_cast<std::uint32_t>(row), rows_256);
+  return static_cast<std::int32_t>(hop_rows(rows_256, line_byte(key, ground.line)));
+}
+
+/// Of one in the air.
+__device__ inline std::int32_t rows_on_from(const DevicePlan& plan, const Ground& ground, std::int32_t row) {
+  return static_cast<std::int32_t>(rows_on(static_cast<std::uint32_t>(hop_from(plan, ground, row))));
 }
 
 __device__ inline void set_down(const DevicePlan& plan, std::int32_t cell, std::uint32_t slabs) {
@@ -121,7 +127,7 @@ __device__ inline void follow(const DevicePlan& plan, std::int32_t line, std::in
       set_down(plan, ground.cell, 1);
       return;
     }
-    const std::int32_t rows = hop_from(plan, ground, end);
+    const std::int32_t rows = rows_on_from(plan, ground, end);
     tally.counts[tally_rows] += rows;
     row = end;
     end = row + rows;
@@ -154,6 +160,12 @@ __global__ void let_in(DevicePlan plan) {
   tally.book(plan.tally);
 }
 
+/// Whether a poll is among those that a shortened sub-sweep carries out.
+__device__ inline bool carried_out(const SubSweep& sweep, std::uint64_t word, std::uint32_t line) {
+  return sweep.poll_share_16 >= whole_share_16 ||
+         line_byte(draw_key(word, Draw::share), line) < byte_chance(sweep.poll_share_16, word);
+}
+
 /// Polls one cell in each block of a line, lifts its slab and follows it.
 __global__ void lift(DevicePlan plan) {
   ThreadTally tally;
@@ -164,8 +176,9 @@ __global__ void lift(DevicePlan plan) {
   for (std::int32_t item = first_item(); item < blocks * plan.width; item += item_stride()) {
     const std::int32_t line = item % plan.width;
     const auto number = static_cast<std::uint32_t>(item / plan.width);
-    const std::uint32_t key = draw_key(row_word(plan.sweep.poll_word, number), Draw::poll);
-    const std::uint32_t random = line_byte(key, static_cast<std::uint32_t>(line));
+    const std::uint64_t word = row_word(plan.sweep.poll_word, number);
+    if (!carried_out(plan.sweep, word, static_cast<std::uint32_t>(line))) continue;
+    const std::uint32_t random = line_byte(draw_key(word, Draw::poll), static_cast<std::uint32_t>(line));
     const std::uint32_t in_block = plan.sweep.permuted ? plan.sweep.polled_row[random]
                                                        : random & static_cast<std::uint32_t>(plan.sweep.sweeps - 1);
     const auto row = static_cast<std::int32_t>(number) * block + static_cast<std::int32_t>(in_block);
@@ -173,11 +186,12 @@ __global__ void lift(DevicePlan plan) {
     ++tally.counts[tally_polls];
     const Ground ground = ground_at(plan, line, row);
     if (ground.held) continue;
-    atomicAdd(plan.after + ground.cell, ~std::uint32_t{0});
     const std::int32_t rows = hop_from(plan, ground, row);
     ++tally.counts[tally_lifts];
     // Nobody else polls this cell in this sub-sweep.
     if (plan.lift_counts) ++plan.lift_counts[plan.order.place(ground.cell)];
+    if (rows == 0) continue;  // it lies where it lay
+    atomicAdd(plan.after + ground.cell, ~std::uint32_t{0});
     tally.counts[tally_rows] += rows;
     follow(plan, line, row, row + rows, tally);
   }
@@ -226,7 +240,7 @@ __global__ void carry(DevicePlan plan) {
       for (std::uint32_t slab = 0; slab < now.slabs; ++slab) landed += stays(ground, slab) ? 1 : 0;
       set_down(plan, ground.cell, landed);
       std::uint32_t leaving = now.slabs - landed;
-      const std::int32_t rows = hop_from(plan, ground, now.row);
+      const std::int32_t rows = rows_on_from(plan, ground, now.row);
       tally.counts[tally_rows] += static_cast<std::int64_t>(rows) * leaving;
       if (leaving > 0 && !fly(plan, line, now.row, now.row + rows, leaving, tally)) leaving = 0;
       send_on(plan, first, now.row, now.row + rows, leaving);

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
+#include "io/given_file.h"
 #include "io/json_print.h"
 #include "io/json_tree.h"
-#include "io/text_file.h"
 
 namespace erg {
 namespace {

@@ -14,8 +14,9 @@
 #include "core/errors.h"
 #include "io/atomic_file.h"
 #include "io/config_file.h"
-#include "models/model.h"
+#include "io/given_file.h"
 #include "sim/memory.h"
+#include "sim/run_check.h"
 
 // The file: 8 magic bytes, the format's version (4 bytes), the payload, and the CRC-32 of everything before it (4
 // bytes). Numbers are little-endian; a text or an array is preceded by its length (8 bytes). Payload: config, step,
@@ -29,11 +30,8 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 constexpr std::array<char, 8> magic = {'E', 'R', 'G', 'S', 'A', 'V', 'E', '\n'};
 constexpr std::size_t piece_bytes = std::size_t{1} << 20;
 constexpr std::uint64_t most_fields = 1000;
-constexpr std::int64_t largest_count = std::int64_t{1} << 60;  // sums of a few of them are whole numbers still
-constexpr double thinnest_slab = 1e-9;                         // m: finer than any grain, thicker than any dune is high
+constexpr double thinnest_slab = 1e-9;  // m: finer than any grain, thicker than any dune is high
 constexpr double thickest_slab = 1e6;
-constexpr float largest_value = 0x1p30f;                              // of a field, which may count cells' slabs
-constexpr std::int32_t largest_height = (std::int32_t{1} << 30) - 1;  // so are differences of these
 
 class Crc {
  public:
@@ -118,6 +116,7 @@ void write_terrain(Writer& out, const Terrain& terrain) {
 class CheckpointReader {
  public:
   explicit CheckpointReader(const std::filesystem::path& path) : path_(path), file_(path, std::ios::binary) {
+    if (const auto trouble = file_trouble(path, "checkpoint")) throw InputError({*trouble});
     if (!file_) refuse("the checkpoint cannot be opened", "check the name and the permissions");
     file_.seekg(0, std::ios::end);
     left_ = static_cast<std::uint64_t>(file_.tellg());
@@ -237,9 +236,6 @@ Field read_field(CheckpointReader& in, Extent extent) {
   field.info.minimum = in.finite();
   field.info.maximum = in.finite();
   field.values = in.grid<float>(extent);
-  for (const float value : field.values.cells()) {
-    if (!(std::abs(value) <= largest_value)) in.refuse_damaged("a value of " + field.info.key + " is out of range");
-  }
   return field;
 }
 
@@ -273,28 +269,10 @@ Terrain read_terrain(CheckpointReader& in, const Config& config) {
   return terrain;
 }
 
-// A model finds its fields by their places.
-void check_fields(const CheckpointReader& in, const ModelType& type, const std::vector<Field>& fields) {
-  for (std::size_t place = 0; place < type.fields.size(); ++place) {
-    if (place >= fields.size() || fields[place].info.key != type.fields[place].key) {
-      in.refuse_damaged("it has not the fields of its model");
-    }
-  }
-}
-
-void check_mass(const CheckpointReader& in, const Terrain& terrain) {
-  for (std::size_t cell = 0; cell < terrain.extent().cells(); ++cell) {
-    const std::int64_t bedrock = terrain.bedrock()[cell];
-    const std::int64_t slabs = terrain.mobile()[cell];
-    if (slabs < 0) in.refuse_damaged("a cell holds less than nothing");
-    if (bedrock < -largest_height || bedrock + slabs > largest_height) in.refuse_damaged("a height is out of range");
-  }
-  if (terrain.total_mobile() != terrain.ledger().expected()) in.refuse_damaged("sand is missing or too much");
-}
-
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const Config& config, const RunState& state) {
+  check_whole(state.terrain);
   write_file_atomically(path, [&](const ByteSink& sink) {
     Writer out(sink);
     out.bytes({magic.data(), magic.size()});
@@ -316,8 +294,9 @@ Saved read_checkpoint(const std::filesystem::path& path) {
   check_memory({&saved.config, 1}, 0, free_memory());
   saved.state.terrain = read_terrain(in, saved.config);
   if (in.left() != 0) in.refuse_damaged("something follows its end");
-  check_fields(in, find_model(saved.config.model), saved.state.terrain.fields());
-  check_mass(in, saved.state.terrain);
+  const Terrain& terrain = saved.state.terrain;
+  if (const auto problem = terrain_problem(saved.config, terrain.quantum(), terrain)) in.refuse_damaged(*problem);
+  if (const auto problem = ledger_problem(terrain)) in.refuse_damaged(*problem);
   return saved;
 }
 

@@ -2,7 +2,7 @@
 
 #include "io/atomic_file.h"
 #include "io/config_reader.h"
-#include "io/text_file.h"
+#include "io/given_file.h"
 
 namespace erg {
 namespace {
@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 /// The picture's path relative to the working folder, from one relative to the config's folder.
 std::string from_config_folder(const std::string& image, const fs::path& config_path) {
   if (image.empty()) return image;
-  return (config_path.parent_path() / fs::path(image)).lexically_normal().generic_string();
+  const fs::path folder = is_stream(config_path) ? fs::path() : config_path.parent_path();
+  return (folder / fs::path(image)).lexically_normal().generic_string();
 }
 
 /// The way back. A path that cannot be made relative stays absolute.
@@ -33,25 +34,48 @@ void for_paths(ParameterValues& values, const Change& change) {
   }
 }
 
+/// What would be right where a picture is not there; `written`: as the config has it.
+std::string missing_picture_remedy(const fs::path& picture, const std::string& written, const fs::path& config_path) {
+  if (const std::string near = nearest_path(picture); !near.empty()) return "did you mean \"" + near + "\"?";
+  std::error_code failed;
+  if (fs::exists(written, failed)) {
+    return "its path is relative to the config's folder: from there it is \"" + to_config_folder(written, config_path) +
+           "\"";
+  }
+  if (const std::string near = nearest_path(written); !near.empty()) return "did you mean \"" + near + "\"?";
+  return "its path is relative to the config's folder";
+}
+
 /// Brings a group's paths to the working folder; reports the picture that it wants and that is not there.
 void read_picture(ParameterValues& values, const fs::path& config_path, int line, MistakeList& mistakes) {
-  for_paths(values, [&](const std::string& picture) { return from_config_folder(picture, config_path); });
   const Parameter* wanted = wanted_path(values);
-  if (wanted == nullptr || values.text(wanted->key).empty()) return;
+  const std::string written = wanted != nullptr ? values.text(wanted->key) : "";
+  for_paths(values, [&](const std::string& picture) { return from_config_folder(picture, config_path); });
+  if (written.empty()) return;
   const std::string& picture = values.text(wanted->key);
-  std::error_code error;
-  if (fs::is_regular_file(picture, error)) return;
-  mistakes.add(line, "there is no picture " + in_quotes(picture),
-               missing_file_remedy(picture, "its path is relative to the config's folder"));
+  std::error_code failed;
+  if (fs::is_regular_file(picture, failed)) return;
+  if (!fs::exists(fs::symlink_status(picture, failed))) {
+    mistakes.add(line, "there is no picture " + in_quotes(picture),
+                 missing_picture_remedy(picture, written, config_path));
+  } else if (const auto trouble = file_trouble(picture, "picture")) {
+    mistakes.add(line, in_quotes(picture) + ": " + trouble->problem, trouble->remedy);
+  } else {
+    mistakes.add(line, in_quotes(picture) + " is a pipe or a device", "a picture has to be a file");
+  }
 }
 
 }  // namespace
 
-Config read_config(const fs::path& path) {
-  ConfigReading reading = read_config_text(read_text_file(path, "config file"), path.string());
+Config read_config(const fs::path& path, std::vector<std::string>* notes) {
+  const std::string name = path == "-" ? "standard input" : path.string();
+  ConfigReading reading = read_config_text(read_text_file(path, "config file"), name);
   read_picture(reading.config.scene, path, reading.image_line, reading.mistakes);
   read_picture(reading.config.parameters, path, reading.model_image_line, reading.mistakes);
   reading.mistakes.throw_if_any();
+  if (notes != nullptr && reading.has_comments) {
+    notes->push_back(name + ": its comments are not kept in what is written");
+  }
   return std::move(reading.config);
 }
 

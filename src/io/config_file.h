@@ -3,15 +3,16 @@
 //   { "erg": 1, "model": "momiji", "grid": {"nx": 512}, "scene": {...}, "parameters": {...the model's own...},
 //     "wind": {"bearing": "W", "strength": 5}, "run": {"steps": 1000} }
 //
-// Only "erg" (the version of the format) and "model" must be there; what is absent has its default. The wind is
-// constant, as above, or a list: {"seasons": [{"bearing": "NE", "first": 5, "last": 8, "steps": 80, "curve": [[x, y],
-// [x, y]]}]}, where "strength" stands for first and last the same. Saving writes what differs from the defaults, and
-// the few values that a reader wants to see in any case.
+// Comments (`// ...`, `/* ... */`) are passed over. Only "erg" (the version of the format) and "model" must be there;
+// what is absent has its default. The wind is constant, as above, or a list: {"seasons": [{"bearing": "NE", "first": 5,
+// "last": 8, "steps": 80, "curve": [[x, y], [x, y]]}]}, where "strength" stands for first and last the same. Saving
+// writes what differs from the defaults, and the few values that a reader wants to see in any case.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/config.h"
 
@@ -19,8 +20,9 @@ namespace erg {
 
 /// Reads a config from a file. A relative picture path, which in the file is relative to the file's folder, comes out
 /// relative to the working folder. Throws one InputError with every mistake in the file, a missing picture among them,
-/// each at `file:line`.
-Config read_config(const std::filesystem::path& path);
+/// each at `file:line`. "-" is standard input; of a config that comes from there or through a pipe, pictures are
+/// relative to the working folder. `notes`, where given, gets what is worth telling: that comments are not kept.
+Config read_config(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
 
 /// The same from text; `name` stands for the file in mistakes. Leaves the picture's path as it is and does not look for
 /// it.

@@ -56,6 +56,7 @@ class ConfigReader {
     const JsonNode::Object* root = object(tree_.root, "a config");
     if (root != nullptr) read_root(*root);
     if (tree_.broken) mistakes().add_last(*tree_.broken);
+    reading_.has_comments = tree_.has_comments;
     return std::move(reading_);
   }
 
@@ -98,7 +99,8 @@ class ConfigReader {
     for (const ConfigGroup& group : config_groups()) {
       if ((config().*group.values).find(key) != nullptr) return "it belongs in \"" + group.key + "\"";
     }
-    if (key == "bearing" || key == "strength" || key == "seasons") return "it belongs in \"wind\"";
+    if (key == "bearing" || key == "strength" || key == "spread" || key == "hold" || key == "seasons")
+      return "it belongs in \"wind\"";
     return suggestion(key, known);
   }
 
@@ -181,18 +183,14 @@ class ConfigReader {
     const JsonNode::Object* members = object(node, group);
     if (members == nullptr) return;
     check_keys(*members, keys_of(values.declared()));
-    for (const Parameter& parameter : values.declared()) {
-      const JsonNode* member = find(*members, parameter.key);
-      if (member == nullptr) continue;
-      if (const auto value = checked(parameter, *member)) values.set(parameter.key, *value);
-    }
+    values = read_values(*members, values.declared());
   }
 
   /// The value if the parameter accepts it; else reports why not.
   std::optional<ParameterValue> checked(const Parameter& parameter, const JsonNode& node) {
     const auto value = parameter_value(parameter, node);
     if (!value) {
-      mistakes().add(node.line, parameter.key + " is " + node.shown(), "expected " + accepted_text(parameter));
+      mistakes().add(node.line, parameter.key + " is " + node.shown(), "expected " + accepted_with_unit(parameter));
       return std::nullopt;
     }
     if (const auto mistake = check_value(parameter, *value, "")) {
@@ -221,16 +219,17 @@ class ConfigReader {
   void read_wind(const JsonNode& node, bool snows) {
     const JsonNode::Object* wind = object(node, "wind");
     if (wind == nullptr) return;
-    check_keys(*wind, {"bearing", "strength", "seasons"});
+    check_keys(*wind, {"bearing", "strength", "spread", "hold", "seasons"});
     const JsonNode* seasons = find(*wind, "seasons");
     if (seasons == nullptr) {
       Season& season = config().wind.seasons.front();
       read_bearing(*wind, season);
       read_strength(*wind, "strength", season.first);
       season.last = season.first;
+      read_swing(*wind, season);
       return;
     }
-    for (const char* key : {"bearing", "strength"}) {
+    for (const char* key : {"bearing", "strength", "spread", "hold"}) {
       const JsonNode* beside = find(*wind, key);
       if (beside == nullptr) continue;
       mistakes().add(beside->line, in_quotes(key) + " stands beside \"seasons\"", "move it into each season");
@@ -256,20 +255,34 @@ class ConfigReader {
     Season season = starting_wind(info().start).seasons.front();
     const JsonNode::Object* members = object(node, "a season");
     if (members == nullptr) return season;
-    check_keys(*members, {"bearing", "strength", "first", "last", "steps", "curve", "snowfall"});
+    check_keys(*members, {"bearing", "strength", "first", "last", "spread", "hold", "steps", "curve", "snowfall"});
     read_bearing(*members, season);
     read_strengths(*members, season);
     if (const JsonNode* snowfall = find(*members, "snowfall")) check_asked_for(*snowfall, "snowfall", snows);
-    ParameterValues values({season_steps_parameter(), season_snowfall_parameter()});
-    for (const Parameter& parameter : values.declared()) {
-      const JsonNode* member = find(*members, parameter.key);
-      if (member == nullptr) continue;
-      if (const auto value = checked(parameter, *member)) values.set(parameter.key, *value);
-    }
+    read_swing(*members, season);
+    const ParameterValues values = read_values(*members, {season_steps_parameter(), season_snowfall_parameter()});
     season.steps = values.integer("steps");
     season.snowfall = values.real("snowfall");
     if (const JsonNode* curve = find(*members, "curve")) read_curve(*curve, season.curve);
     return season;
+  }
+
+  void read_swing(const JsonNode::Object& members, Season& season) {
+    const ParameterValues values =
+        read_values(members, {season_spread_parameter(info().start), season_hold_parameter()});
+    season.spread = values.real("spread");
+    season.hold = values.integer("hold");
+  }
+
+  /// Those of the declared values that stand among the members; the others have their defaults.
+  ParameterValues read_values(const JsonNode::Object& members, const Parameters& declared) {
+    ParameterValues values(declared);
+    for (const Parameter& parameter : declared) {
+      const JsonNode* member = find(members, parameter.key);
+      if (member == nullptr) continue;
+      if (const auto value = checked(parameter, *member)) values.set(parameter.key, *value);
+    }
+    return values;
   }
 
   /// A number for a temperature that does not change, or its two ends and the curve between them.

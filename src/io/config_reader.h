@@ -39,6 +39,7 @@ struct ConfigReading {
   MistakeList mistakes;
   int image_line = 0;        ///< where scene.image stands
   int model_image_line = 0;  ///< where the model's own path stands
+  bool has_comments = false;
 };
 
 /// Reads all of a text, whatever is wrong with it; `name` stands for the file in mistakes.

@@ -124,6 +124,8 @@ Json season_schema() {
   properties["strength"] = strength;
   properties["first"] = strength;
   properties["last"] = strength;
+  properties["spread"] = parameter_schema(season_spread_parameter());
+  properties["hold"] = parameter_schema(season_hold_parameter());
   properties["steps"] = parameter_schema(season_steps_parameter());
   properties["curve"] = curve_schema();
   properties["snowfall"] = parameter_schema(season_snowfall_parameter());
@@ -139,6 +141,8 @@ Json wind_schema() {
   Json constant;
   constant["bearing"] = bearing_schema();
   constant["strength"] = parameter_schema(strength_parameter());
+  constant["spread"] = parameter_schema(season_spread_parameter());
+  constant["hold"] = parameter_schema(season_hold_parameter());
   Json list = {{"type", "array"}, {"minItems", 1}};
   list["items"] = season_schema();
   Json seasons;
@@ -178,6 +182,11 @@ Json model_rule(const ModelType& type) {
   add_own_defaults(properties, "scene", scene_parameters(start), scene_parameters());
   if (start.strength != ModelStart{}.strength) {
     properties["wind"]["properties"]["strength"]["default"] = json_value(start.strength);
+  }
+  if (start.spread != ModelStart{}.spread) {
+    Json& wind = properties["wind"]["properties"];
+    wind["spread"]["default"] = json_value(start.spread);
+    wind["seasons"]["items"]["properties"]["spread"]["default"] = json_value(start.spread);
   }
   if (!type.info.asks_temperature) properties["temperature"] = false;
   if (!type.info.asks_snowfall) {

@@ -16,10 +16,16 @@ using Json = nlohmann::ordered_json;
 /// Values that are written though they are at their defaults, because a reader looks for them.
 constexpr std::array<std::string_view, 5> always_written{"grid.nx", "grid.ny", "scene.kind", "run.steps", "run.seed"};
 
+/// Values that mean something else where they are absent: they are written if they were set, be it to their defaults.
+constexpr std::array<std::string_view, 2> written_if_set{"scene.image_low", "scene.image_high"};
+
 Json group_json(const std::string& group, const ParameterValues& values) {
   Json json = Json::object();
   for (const Parameter& parameter : values.declared()) {
-    const bool always = std::ranges::find(always_written, group + "." + parameter.key) != always_written.end();
+    const std::string full_key = group + "." + parameter.key;
+    const bool always = std::ranges::find(always_written, full_key) != always_written.end() ||
+                        (std::ranges::find(written_if_set, full_key) != written_if_set.end() &&
+                         values.is_set(parameter.key) && values.matters(parameter));
     if (always || !values.is_default(parameter.key)) {
       json[parameter.key] = json_value(parameter, values.value(parameter.key));
     }
@@ -34,7 +40,13 @@ void add_curve(Json& json, const BezierCurve& curve) {
   json["curve"] = Json::array({point_json(curve.first), point_json(curve.second)});
 }
 
-Json season_json(const Season& season, bool snows) {
+/// What differs from the model's own wind.
+void add_swing(Json& json, const Season& season, const ModelInfo& model) {
+  if (season.spread != model.start.spread) json["spread"] = json_value(season.spread);
+  if (season.hold != Season{}.hold) json["hold"] = season.hold;
+}
+
+Json season_json(const Season& season, const ModelInfo& model) {
   Json json;
   json["bearing"] = json_value(season.bearing);
   if (season.first == season.last) {
@@ -43,8 +55,9 @@ Json season_json(const Season& season, bool snows) {
     json["first"] = json_value(season.first);
     json["last"] = json_value(season.last);
   }
+  add_swing(json, season, model);
   json["steps"] = season.steps;
-  if (snows && season.snowfall != 0) json["snowfall"] = json_value(season.snowfall);
+  if (model.asks_snowfall && season.snowfall != 0) json["snowfall"] = json_value(season.snowfall);
   add_curve(json, season.curve);
   return json;
 }
@@ -58,16 +71,20 @@ Json temperature_json(const Temperature& temperature) {
   return json;
 }
 
-Json wind_json(const Regime& wind, bool snows) {
+Json wind_json(const Regime& wind, const ModelInfo& model) {
   const Season& only = wind.seasons.front();
   Json json;
-  if (wind == Regime::constant(only.bearing, only.first)) {
+  Regime constant = Regime::constant(only.bearing, only.first);
+  constant.seasons.front().spread = only.spread;
+  constant.seasons.front().hold = only.hold;
+  if (wind == constant) {
     json["bearing"] = json_value(only.bearing);
     json["strength"] = json_value(only.first);
+    add_swing(json, only, model);
     return json;
   }
   json["seasons"] = Json::array();
-  for (const Season& season : wind.seasons) json["seasons"].push_back(season_json(season, snows));
+  for (const Season& season : wind.seasons) json["seasons"].push_back(season_json(season, model));
   return json;
 }
 
@@ -82,7 +99,7 @@ std::string config_text(const Config& config) {
   json["model"] = config.model;
   for (const ConfigGroup& group : config_groups()) {
     if (group.key == "run") {
-      json["wind"] = wind_json(config.wind, asking.asks_snowfall);
+      json["wind"] = wind_json(config.wind, asking);
       if (asking.asks_temperature && config.temperature != Temperature{})
         json["temperature"] = temperature_json(config.temperature);
     }

@@ -2,30 +2,172 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
-#include <memory>
+#include <span>
 #include <string>
 
 #include "core/errors.h"
 #include "core/exact_text.h"
 #include "core/surface_range.h"
+#include "io/file_kind.h"
+#include "io/given_file.h"
 #include "io/png.h"
-
-// The library reads many formats. Each of them is one more way in for a damaged file, and only this one is asked for.
-// Linear colours would pull in functions of libm.
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_NO_LINEAR
-#include <stb/stb_image.h>
+#include "io/png_reader.h"
+#include "sim/memory.h"
 
 namespace erg {
 namespace {
 
-// Pictures larger than the largest grid are refused before they are decoded.
-constexpr int largest_picture = 2 * largest_side;
+namespace fs = std::filesystem;
+
+constexpr const char* colours_to_heights =
+    "give heights as greys: of elevation data gdal_translate -of PNG -ot UInt16 -scale LOW HIGH 0 65535 IN OUT.png "
+    "makes "
+    "them; elevations coded in colours have to be decoded first (gdal_calc.py); only where brightness is height: "
+    "magick IN "
+    "-colorspace Gray -depth 16 OUT.png";
+
+constexpr const char* low_key = "erg:low_m";
+constexpr const char* high_key = "erg:high_m";
+constexpr const char* cell_key = "erg:cell_m";
+
+std::optional<double> number_under(const MetadataEntries& entries, const std::string& key) {
+  for (const auto& [name, text] : entries) {
+    if (name == key) return number_from<double>(text);
+  }
+  return std::nullopt;
+}
+
+/// The picture opened, once it is known to be a PNG that can be read as heights.
+PngReader open_picture(const fs::path& path) {
+  if (const auto trouble = file_trouble(path, "picture")) throw InputError({*trouble});
+  if (const auto kind = file_kind(path)) {
+    throw InputError(path.string(), "this is no PNG but " + kind->name, kind->conversion);
+  }
+  return PngReader(path);
+}
+
+/// A picture on its way to heights.
+class HeightReading {
+ public:
+  HeightReading(const fs::path& path, const HeightPictureOptions& options)
+      : path_(path), options_(options), reader_(open_picture(path)) {
+    check_memory();
+    if (options_.grid.cells() == 0) options_.grid = extent();
+  }
+
+  HeightPicture read(std::vector<std::string>* notes);
+  HeightPictureHeader header() const { return {extent(), number_under(reader_.text(), cell_key)}; }
+
+ private:
+  Extent extent() const { return {reader_.width(), reader_.height()}; }
+  void check_memory() const;
+  void read_row(int row, std::span<const std::uint16_t> samples, PictureResampler& resampler);
+  std::optional<HeightRange> metres() const;
+  void tell_shape(std::vector<std::string>& notes) const;
+
+  [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) const {
+    throw InputError(path_.string(), problem, remedy);
+  }
+  static std::string place(std::size_t column, int row) {
+    return "column " + std::to_string(column + 1) + ", row " + std::to_string(row + 1) + " from the top";
+  }
+
+  fs::path path_;
+  HeightPictureOptions options_;
+  PngReader reader_;
+  std::vector<float> values_;
+  std::vector<std::uint8_t> missing_;
+};
+
+std::string sides(Extent extent) { return std::to_string(extent.nx) + " x " + std::to_string(extent.ny); }
+
+void HeightReading::check_memory() const {
+  const std::uint64_t held = reader_.held_bytes();
+  if (!reader_.interlaced() || held <= free_memory()) return;
+  refuse("the picture is interlaced and has to be held whole: that needs " + memory_text(held) + " of memory, and " +
+             memory_text(free_memory()) + " are free",
+         "write it without interlacing: magick IN -interlace none OUT.png");
+}
+
+void HeightReading::read_row(int row, std::span<const std::uint16_t> samples, PictureResampler& resampler) {
+  const auto channels = static_cast<std::size_t>(reader_.channels());
+  const bool opacity = reader_.has_opacity();
+  bool any_missing = false;
+  for (std::size_t x = 0; x < values_.size(); ++x) {
+    const std::uint16_t* const pixel = samples.data() + x * channels;
+    const bool without = opacity && pixel[channels - 1] != 65535;
+    if (without && options_.no_data == NoDataRule::refuse) {
+      refuse("the picture has transparent pixels, the first in " + place(x, row) + ": nothing was measured there",
+             "say what lies there with \"image_nodata\": \"lowest\" or \"around\" (a scene's picture), or fill them");
+    }
+    if (!without && channels >= 3 && (pixel[0] != pixel[1] || pixel[0] != pixel[2])) {
+      refuse(std::string("the picture has colours") + (reader_.colours() == PngColours::palette ? " (a palette)" : "") +
+                 ", the first in " + place(x, row) + ", and these are no heights",
+             colours_to_heights);
+    }
+    missing_[x] = without ? 1 : 0;
+    any_missing = any_missing || without;
+    values_[x] = static_cast<float>(pixel[0]) / 65535.0f;
+  }
+  const std::span<const std::uint8_t> missing = any_missing ? missing_ : std::span<const std::uint8_t>();
+  resampler.add_row(reader_.height() - 1 - row, values_, missing);
+}
+
+/// What the picture says of its heights, where it does and they can be heights.
+std::optional<HeightRange> HeightReading::metres() const {
+  const MetadataEntries entries = reader_.text();
+  const auto low = number_under(entries, low_key);
+  const auto high = number_under(entries, high_key);
+  if (!low || !high || !(*low <= *high)) return std::nullopt;
+  return HeightRange{*low, *high};
+}
+
+void HeightReading::tell_shape(std::vector<std::string>& notes) const {
+  const Extent grid = options_.grid;
+  constexpr double alike = 1.01;  // sides are whole numbers
+  const double stretched =
+      static_cast<double>(reader_.width()) * grid.ny / (static_cast<double>(reader_.height()) * grid.nx);
+  if (std::max(stretched, 1 / stretched) < alike) return;
+  const std::string both =
+      path_.string() + " has " + sides(extent()) + " pixels and the grid " + sides(grid) + " cells: ";
+  notes.push_back(both + (options_.fit == PictureFit::crop
+                              ? "its middle is taken (image_fit crop)"
+                              : "it is stretched to another shape; a scene's image_fit may be crop or from_file"));
+}
+
+HeightPicture HeightReading::read(std::vector<std::string>* notes) {
+  values_.resize(static_cast<std::size_t>(reader_.width()));
+  missing_.resize(values_.size());
+  PictureResampler resampler(extent(), options_.grid, options_.fit);
+  reader_.read_rows([&](int row, std::span<const std::uint16_t> samples) { read_row(row, samples, resampler); });
+  const double without = resampler.share_missing();
+  if (without == 1) refuse("no pixel of the picture has data: all are transparent", "give one that has");
+  if (notes != nullptr) {
+    tell_shape(*notes);
+    if (without > 0) {
+      char percent[16];
+      std::snprintf(percent, sizeof percent, "%.2g%%", 100 * without);
+      notes->push_back(path_.string() + ": " + percent + " of the cells have no data (transparent pixels); " +
+                       (options_.no_data == NoDataRule::around ? "heights around them are carried on there"
+                                                               : "they are at the lowest height") +
+                       " (image_nodata)");
+    }
+  }
+  HeightPicture picture(resampler.take(options_.no_data));
+  picture.metres = metres();
+  return picture;
+}
 
 }  // namespace
+
+HeightPicture read_height_picture(const fs::path& path, const HeightPictureOptions& options,
+                                  std::vector<std::string>* notes) {
+  return HeightReading(path, options).read(notes);
+}
+
+HeightPictureHeader read_height_header(const fs::path& path) { return HeightReading(path, {}).header(); }
 
 void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, const Provenance& provenance) {
   const auto [low, high] = surface_range(terrain);
@@ -37,39 +179,12 @@ void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, 
       image.pixels.push_back(static_cast<std::uint16_t>(std::lround((terrain.height(x, y) - low) * scale)));
     }
   }
-  MetadataEntries entries = {{"erg:low_m", exact_text(terrain.metres(low))},
-                             {"erg:high_m", exact_text(terrain.metres(high))},
-                             {"erg:cell_m", exact_text(terrain.cell_size())}};
+  MetadataEntries entries = {{low_key, exact_text(terrain.metres(low))},
+                             {high_key, exact_text(terrain.metres(high))},
+                             {cell_key, exact_text(terrain.cell_size())}};
   for (auto& entry : metadata(provenance)) entries.push_back(std::move(entry));
+  keep_config_beside(path, provenance);
   write_png(path, image, entries);
-}
-
-HeightPicture read_height_picture(const std::filesystem::path& path) {
-  const auto refuse = [&path](const std::string& problem, const std::string& remedy) {
-    throw InputError(path.string(), problem, remedy);
-  };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) refuse("the picture cannot be opened", "check the name and the permissions");
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  if (stbi_info_from_file(file.get(), &width, &height, &channels) == 0) {
-    refuse("this is no picture that can be read, or it is damaged", "give an 8- or 16-bit grey PNG");
-  }
-  if (width > largest_picture || height > largest_picture) {
-    refuse("the picture has " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
-           "give one of at most " + std::to_string(largest_picture) + " on a side");
-  }
-  // 8-bit pictures come out as 16 bits too, each value times 257.
-  const std::unique_ptr<stbi_us, void (*)(void*)> pixels(
-      stbi_load_from_file_16(file.get(), &width, &height, &channels, STBI_grey), stbi_image_free);
-  if (!pixels) refuse(std::string("the picture is damaged (") + stbi_failure_reason() + ")", "make it anew");
-  HeightPicture picture({width, height});
-  for (int y = 0; y < height; ++y) {
-    const stbi_us* const row = pixels.get() + static_cast<std::ptrdiff_t>(height - 1 - y) * width;
-    for (int x = 0; x < width; ++x) picture(x, y) = static_cast<float>(row[x]) / 65535.0f;
-  }
-  return picture;
 }
 
 }  // namespace erg

@@ -173,8 +173,26 @@ Mistake TreeBuilder::syntax_mistake(std::size_t bytes_read, std::string message)
   const std::size_t last_mark = before.find_last_not_of(" \t\r\n");
   const bool comma_before_end = last_mark != std::string_view::npos && before[last_mark] == ',' && at < text_.size() &&
                                 (text_[at] == '}' || text_[at] == ']');
+  if (at < text_.size() && text_[at] == '#') {
+    return {place, std::move(problem), "a comment begins with //, or stands between /* and */"};
+  }
   if (comma_before_end) return {place, std::move(problem), "remove the comma before it"};
   return {place, std::move(problem), expected.empty() ? "" : "expected " + expected};
+}
+
+/// Whether a comment stands anywhere outside of strings.
+bool has_comments(std::string_view text) {
+  bool in_string = false;
+  for (std::size_t at = 0; at + 1 < text.size(); ++at) {
+    if (in_string && text[at] == '\\') {
+      ++at;
+    } else if (text[at] == '"') {
+      in_string = !in_string;
+    } else if (!in_string && text[at] == '/' && (text[at + 1] == '/' || text[at + 1] == '*')) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -200,8 +218,12 @@ JsonTree read_json(std::string_view text, const std::string& name) {
   TreeBuilder builder(name, text, position);
   const CountingIterator first(text.data(), &position);
   const CountingIterator last(text.data() + text.size(), &position);
-  json::sax_parse(first, last, &builder);
-  return builder.take();
+  constexpr bool to_the_end = true;
+  constexpr bool over_comments = true;
+  json::sax_parse(first, last, &builder, json::input_format_t::json, to_the_end, over_comments);
+  JsonTree tree = builder.take();
+  tree.has_comments = has_comments(text);
+  return tree;
 }
 
 }  // namespace erg

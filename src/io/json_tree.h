@@ -42,9 +42,10 @@ struct JsonMember {
 struct JsonTree {
   JsonNode root;
   std::optional<Mistake> broken;  ///< place is name:line:column
+  bool has_comments = false;
 };
 
-/// Reads any text whatever; `name` stands in the places of mistakes.
+/// Reads any text whatever, passing over comments (`// ...` and `/* ... */`); `name` stands in the places of mistakes.
 JsonTree read_json(std::string_view text, const std::string& name);
 
 }  // namespace erg

@@ -17,10 +17,10 @@ constexpr int margin = 14;
 
 // Draws arrow and bearing at the right edge; returns the first pixel used.
 int draw_wind(RgbImage& image, int baseline, const WindNow& wind) {
-  const std::string text = "wind " + number_text(std::round(wind.bearing)) + " deg";
+  const std::string text = "wind " + number_text(std::round(wind.mean_bearing())) + " deg";
   const int left = image.width - margin - label_width(text, text_size);
   draw_label(image, text, left, baseline, text_size, ink);
-  const Direction toward = downwind(wind.bearing);
+  const Direction toward = downwind(wind.mean_bearing());
   draw_arrow(image, left - 24, baseline - 6, toward.x, toward.y, 30, ink);
   return left - 42;
 }

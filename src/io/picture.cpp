@@ -100,6 +100,7 @@ RgbImage draw_map(const Terrain& terrain, const MapScale& scale, const Relief& r
 }  // namespace
 
 RgbImage draw_picture(const Terrain& terrain, const PictureOptions& options) {
+  check_whole(terrain);
   if (terrain.extent().cells() == 0) return {};
   const MapScale scale = map_scale(terrain.extent(), options.pixels);
   const Relief relief = make_relief(terrain, scale);

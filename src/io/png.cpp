@@ -4,8 +4,6 @@
 
 #include <bit>
 #include <csetjmp>
-#include <cstdio>
-#include <memory>
 #include <vector>
 
 #include "core/errors.h"
@@ -62,21 +60,6 @@ bool write_all(png_structp png, png_infop info, const PngPixels& pixels, std::ve
   return true;
 }
 
-bool read_header(png_structp png, png_infop info, std::FILE* file) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_init_io(png, file);
-  png_read_info(png, info);
-  return true;
-}
-
-MetadataEntries collect_text(png_structp png, png_infop info) {
-  png_textp chunks = nullptr;
-  const int count = png_get_text(png, info, &chunks, nullptr);
-  MetadataEntries entries;
-  for (int index = 0; index < count; ++index) entries.emplace_back(chunks[index].key, chunks[index].text);
-  return entries;
-}
-
 /// The whole file as bytes. Throws InputError with `path` as the place when the encoder refuses.
 std::string encode_png(const PngPixels& pixels, const MetadataEntries& entries, const std::filesystem::path& path) {
   std::string bytes;
@@ -121,17 +104,14 @@ void write_png(const std::filesystem::path& path, const GreyImage& image, const 
   write_file_atomically(path, encode_png({image.width, image.height, 16, 1, image.pixels.data()}, entries, path));
 }
 
-MetadataEntries read_png_metadata(const std::filesystem::path& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) throw InputError(path.string(), "cannot be opened", "check the name and the permissions");
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, jump_back, ignore_warning);
-  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-  const bool read = info != nullptr && read_header(png, info, file.get());
-  MetadataEntries entries;
-  if (read) entries = collect_text(png, info);
-  png_destroy_read_struct(&png, &info, nullptr);
-  if (!read) throw InputError(path.string(), "is no PNG or is damaged", "give a PNG that this program wrote");
-  return entries;
+void write_run_png(const std::filesystem::path& path, const RgbImage& image, const Provenance& provenance) {
+  keep_config_beside(path, provenance);
+  write_png(path, image, metadata(provenance));
+}
+
+void write_run_png(const std::filesystem::path& path, const RgbaImage& image, const Provenance& provenance) {
+  keep_config_beside(path, provenance);
+  write_png(path, image, metadata(provenance));
 }
 
 }  // namespace erg

@@ -1,4 +1,4 @@
-// PNG files.
+// PNG files, written; io/png_reader.h reads them.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,8 @@ void write_png(const std::filesystem::path& path, const RgbImage& image, const M
 void write_png(const std::filesystem::path& path, const RgbaImage& image, const MetadataEntries& entries);
 void write_png(const std::filesystem::path& path, const GreyImage& image, const MetadataEntries& entries);
 
-/// The text chunks of a PNG. Throws InputError for a missing or damaged file.
-MetadataEntries read_png_metadata(const std::filesystem::path& path);
+/// The same for a picture of a run: the provenance as entries, and a long config beside the file.
+void write_run_png(const std::filesystem::path& path, const RgbImage& image, const Provenance& provenance);
+void write_run_png(const std::filesystem::path& path, const RgbaImage& image, const Provenance& provenance);
 
 }  // namespace erg

@@ -175,6 +175,7 @@ Grid<float> smooth_enlarge(const Grid<float>& values, double sigma, int zoom, bo
 }
 
 Relief make_relief(const Terrain& terrain, const MapScale& scale) {
+  check_whole(terrain);
   Relief relief;
   relief.periodic = terrain.boundary() == Boundary::torus;
   relief.pixel_size = terrain.cell_size() * terrain.nx() / scale.blocks.nx / scale.zoom;

@@ -84,7 +84,7 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
                           shape.bare_fraction,
                           shadow_fraction(shadow_map(terrain, wind.bearing, fall)),
                           spectrum.wavelength,
-                          crest_spacing(surface, wind.bearing),
+                          crest_spacing(surface, wind.mean_bearing()),
                           spectrum.crest_bearing.value_or(unknown),
                           spectrum.alignment,
                           migration.x,

@@ -90,7 +90,9 @@ std::string header(const Terrain& terrain, const std::vector<PointArray>& arrays
 
 void write_vti(const std::filesystem::path& path, const Terrain& terrain, const Grid<std::uint8_t>* shadow,
                const Provenance& provenance, std::span<const Field> more) {
+  check_whole(terrain);
   const std::vector<PointArray> arrays = arrays_of(terrain, shadow, more);
+  keep_config_beside(path, provenance);
   write_file_atomically(path, [&](const ByteSink& sink) {
     sink(header(terrain, arrays, provenance));
     std::string row;

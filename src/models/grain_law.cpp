@@ -139,8 +139,15 @@ Parameters bed_parameters() {
           "ripple moves."),
       real_parameter("splash_speed", "Speed of half the splash", "m/s", 1, 0.01, 100,
                      "Impact speed v at which half of them come loose."),
-      real_parameter("reptation", "Reptation", "m per m/s", 0.008, 0, 1,
-                     "Mean way on level ground of a grain knocked loose (exponential), for each m/s of the impact."),
+      real_parameter(
+          "reptation", "Reptation", "m per m/s", 0.0075, 0, 1,
+          "Mean way on level ground of a grain knocked loose (exponential), for each m/s of the impact, in a "
+          "wind at the threshold."),
+      real_parameter(
+          "reptation_wind", "Reptation in stronger winds", "", 0.7, 0, 10,
+          "How much farther it gets in a stronger wind: 1 + this * (u* / threshold - 1) times as far. So the "
+          "length of ripples rises with the friction velocity u*; 0: hardly.",
+          "fitted to Andreotti et al. 2006"),
       real_parameter("reptation_slope", "Reptation uphill", "", 2, 0, 100,
                      "Cotangent of the angle at which it starts its low parabola. On a straight slope the way is "
                      "multiplied by 1 - this * slope, at least by .1; over a crest it is longer."),
@@ -208,6 +215,12 @@ double profile_speed(const ParameterValues& values, double friction, double heig
   return height > focus ? below + friction / karman * std::log(height / focus) : below;
 }
 
+double reptation(const ParameterValues& values, double friction) {
+  constexpr double most = 10;  // beyond all measurements, and it keeps ways finite where the threshold is next to 0
+  const double ratio = std::min(most, friction / lifting_threshold(values, median_diameter(values)));
+  return values.real("reptation") * (1 + values.real("reptation_wind") * std::max(0.0, ratio - 1));
+}
+
 GrainLaw grain_law(const ParameterValues& values, const WindNow& wind, const WindFrame& frame, double cell_size) {
   const double friction = friction_velocity(values, wind.strength);
   const double seconds = values.real("time_step") * 1e-3;
@@ -227,7 +240,7 @@ GrainLaw grain_law(const ParameterValues& values, const WindNow& wind, const Win
   law.bounce_limit = static_cast<int>(values.integer("bounce_limit"));
   law.splash = static_cast<float>(values.real("splash"));
   law.splash_speed_squared = static_cast<float>(values.real("splash_speed") * values.real("splash_speed"));
-  law.reptation_cells = static_cast<float>(values.real("reptation") / cell_size);
+  law.reptation_cells = static_cast<float>(reptation(values, friction) / cell_size);
   law.reptation_slope = static_cast<float>(values.real("reptation_slope"));
   law.rolling = static_cast<float>(values.real("rolling"));
   law.sideways = static_cast<float>(values.real("sideways"));

@@ -23,6 +23,12 @@ double friction_velocity(const ParameterValues& values, double strength);
 /// Wind speed (m/s) at a height (m) over open ground under this friction velocity.
 double profile_speed(const ParameterValues& values, double friction_velocity, double height);
 
+/// Mean way (m) on level ground of a grain that an impact of 1 m/s knocks loose under this friction velocity (m/s):
+/// linear in it above the threshold of the median grain, up to ten times that. Fitted so that ripples of young beds
+/// lengthen with the wind as Andreotti, Claudin & Pouliquen (2006) measured, who found lengths linear in the friction
+/// velocity.
+double reptation(const ParameterValues& values, double friction_velocity);
+
 /// The law for one wind on a grid with cells of this size (m).
 GrainLaw grain_law(const ParameterValues& values, const WindNow& wind, const WindFrame& frame, double cell_size);
 

@@ -96,8 +96,8 @@ void GrainModel::trace_paths(const Terrain& terrain, const WindFrame& frame, con
 /// What plants leave of the wind, worked out anew only where they or the wind's bearing have changed.
 std::shared_ptr<const std::vector<float>> GrainModel::shelter(const Terrain& terrain, const WindFrame& frame,
                                                               double bearing) {
-  const bool same_fields = shelter_ != nullptr && shelter_revision_ == terrain.fields_revision();
-  shelter_revision_ = terrain.fields_revision();
+  const bool same_fields = shelter_ != nullptr && shelter_fields_ == terrain.fields_stamp();
+  shelter_fields_ = terrain.fields_stamp();
   if (same_fields && bearing == shelter_bearing_) return shelter_;
   const Grid<float>& plants = find_field(terrain.fields(), plants_field)->values;
   if (shelter_ == nullptr || bearing != shelter_bearing_ || plants != shelter_plants_) {
@@ -179,8 +179,10 @@ std::vector<std::string> explain_grains(const ParameterValues& values, double ce
 ModelType grains() {
   return {{.key = "grains",
            .title = "Wang & Hu 2012",
-           .citation = "Wang, Z.-S. & Hu, R. (2012), after the accounts of Szabo (2019, ch. 3) and Cimbura (2022, sec. "
-                       "4.3 and 5.11); wind in the saltation layer after Bagnold (1941), splash ours.",
+           .citation = "Wang, N. & Hu, B.-G. (2012). Real-time simulation of aeolian sand movement and sand ripple "
+                       "evolution: a method based on the physics of blown sand. Journal of Computer Science and "
+                       "Technology 27, 135-146; after the accounts of Szabo (2019, ch. 3) and Cimbura (2022, sec. 4.3 "
+                       "and 5.11). Wind in the saltation layer after Bagnold (1941), splash ours.",
            .makes = "ripples of sand and snow, about a decimetre long, on flat ground, over dunes, round plants",
            .leaves_out = "turbulence, speed-up of the wind over a hill, sorting of grains by size, time in seconds",
            .step = "one step polls as many grains as the grid has cells",

@@ -110,8 +110,7 @@ class SnowPacking : public SlabModel {
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover(terrain);
-    law.cover_revision = cover_revision_;
-    StepReport report = executor.step(terrain, law, wind, key);
+    StepReport report = move_slabs(terrain, law, wind, key, executor);
     const double day = static_cast<double>(key.step);
     const double least = pack(terrain, daily_growth(values(), wind.temperature, day), snow_class(values(), day).most);
     report.finished = least >= 1;
@@ -121,15 +120,13 @@ class SnowPacking : public SlabModel {
 
  private:
   /// The resistance as executors use it, read anew where it changed.
-  const CoverField& cover(const Terrain& terrain) {
-    if (!cover_.empty() && fields_revision_ == terrain.fields_revision()) return cover_;
+  const Cover& cover(const Terrain& terrain) {
+    if (fields_stamp_ == terrain.fields_stamp()) return cover_;
     const Grid<float>& held = terrain.fields()[resistance].values;
-    cover_ = CoverField(terrain.extent());
-    for (std::size_t cell = 0; cell < cover_.size(); ++cell) {
-      cover_[cell] = cover_of(std::clamp(held[cell], 0.0f, 1.0f));
-    }
-    fields_revision_ = terrain.fields_revision();
-    ++cover_revision_;
+    CoverField& made = cover_.edit();
+    made = CoverField(terrain.extent());
+    for (std::size_t cell = 0; cell < made.size(); ++cell) made[cell] = cover_of(std::clamp(held[cell], 0.0f, 1.0f));
+    fields_stamp_ = terrain.fields_stamp();
     return cover_;
   }
 
@@ -147,9 +144,8 @@ class SnowPacking : public SlabModel {
   }
 
   double first_temperature_ = -10;
-  CoverField cover_;
-  std::uint64_t cover_revision_ = 0;
-  std::uint64_t fields_revision_ = 0;
+  Cover cover_;
+  std::uint64_t fields_stamp_ = 0;  // of the fields that it was made from
 };
 
 }  // namespace
@@ -157,7 +153,7 @@ class SnowPacking : public SlabModel {
 ModelType snow_packing() {
   return {{.key = "snow_packing",
            .title = "Snow packing",
-           .citation = "after Cimbura, F. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
+           .citation = "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
                        "printed it is 0 at -20 deg C)",
            .makes = "snow ripples that freeze day by day",
            .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",

@@ -10,7 +10,8 @@ ModelType werner() {
                           .citation = "Werner, B. T. (1995). Eolian dunes: computer simulations and attractor "
                                       "interpretation. Geology 23, 1107-1110.",
                           .makes = "barchans, transverse, linear and star dunes, symmetric in profile",
-                          .leaves_out = "wind speed-up over dunes, air flow, grain sizes"},
+                          .leaves_out = "wind speed-up over dunes, air flow, grain sizes",
+                          .start = {.spread = natural_spread}},
                          {});
 }
 

@@ -12,7 +12,9 @@ namespace erg {
 namespace {
 
 constexpr const char* default_model = "momiji";
-constexpr std::int64_t most_steps = 1'000'000'000;
+/// Heights of a picture, m: from the deepest trench to the highest volcano of Mars, and some.
+constexpr double lowest_point = -12000;
+constexpr double highest_point = 30000;
 
 /// Marks all of a group as read only when the terrain is made.
 Parameters all_at_start(Parameters parameters) {
@@ -56,7 +58,7 @@ class Assignment {
 
   /// "grid.nx" ... of every value that can be set in a group.
   std::vector<std::string> full_keys() const {
-    std::vector<std::string> keys{"wind.bearing", "wind.strength"};
+    std::vector<std::string> keys{"wind.bearing", "wind.strength", "wind.spread", "wind.hold"};
     if (asks_temperature()) keys.insert(keys.end(), {"temperature.first", "temperature.last"});
     for (const ConfigGroup& group : config_groups()) {
       for (const Parameter& parameter : (config_.*group.values).declared()) {
@@ -106,6 +108,16 @@ class Assignment {
   }
 
   void set_wind(const std::string& key) {
+    if (key == "spread") {
+      const double spread = std::get<double>(parse_value(season_spread_parameter(), value_, place_));
+      for (Season& season : config_.wind.seasons) season.spread = spread;
+      return;
+    }
+    if (key == "hold") {
+      const auto hold = std::get<std::int64_t>(parse_value(season_hold_parameter(), value_, place_));
+      for (Season& season : config_.wind.seasons) season.hold = hold;
+      return;
+    }
     if (config_.wind.seasons.size() != 1) {
       throw InputError(place_, "the wind has " + std::to_string(config_.wind.seasons.size()) + " seasons",
                        "change them in the config");
@@ -129,8 +141,21 @@ class Assignment {
 }  // namespace
 
 Parameter strength_parameter(const ModelStart& start) {
-  return real_parameter("strength", "Strength", "", start.strength, smallest_strength, largest_strength,
-                        "Strength of the wind: cells a hop for slab models, m/s for the others.");
+  return real_parameter(
+      "strength", "Strength", "", start.strength, smallest_strength, largest_strength,
+      "Strength of the wind: cells a hop for slab models, m/s for the others. 0 is a calm: time passes, and "
+      "the wind moves nothing.");
+}
+
+Parameter season_spread_parameter(const ModelStart& start) {
+  return real_parameter("spread", "Spread", "deg", start.spread, 0, widest_spread,
+                        "How much the wind swings about its bearing: standard deviation from draw to draw.");
+}
+
+Parameter season_hold_parameter() {
+  return integer_parameter("hold", "Hold", "steps", Season{}.hold, 1, most_steps,
+                           "Time steps of the season for which the wind stays in one direction before it swings to "
+                           "the next.");
 }
 
 Parameter season_steps_parameter() {
@@ -151,7 +176,9 @@ Parameters grid_parameters(const ModelStart& start) {
   return all_at_start({
       integer_parameter("nx", "Cells east", "cells", 256, smallest_side, largest_side, "Grid width, west to east."),
       integer_parameter("ny", "Cells north", "cells", 256, smallest_side, largest_side, "Grid height, south to north."),
-      real_parameter("cell_size", "Cell size", "m", start.cell_size, 0.001, 1000.0, "Side of a cell."),
+      with_hint(
+          real_parameter("cell_size", "Cell size", "m", start.cell_size, 0.001, 1000.0, "Side of a cell."),
+          "so small a number is a cell in degrees: one arc second, 0.000278 degrees, is 31 m from south to north"),
       choice_parameter("boundary", "Boundary", "torus", {"torus", "open"},
                        "torus: what leaves on one side enters on the other; open: it is counted and gone."),
       only_when(real_parameter("inflow", "Inflow", "slabs", 0.0, 0.0, 100.0,
@@ -185,11 +212,23 @@ Parameters scene_parameters(const ModelStart& start) {
                                  "What the picture's heights become: bedrock under an even cover of sand, the sand "
                                  "itself, or the surface of bedrock and sand together."),
                 {"kind", "image"}),
-      only_when(real_parameter("image_low", "Height of black", "m", 0.0, -10000.0, 10000.0,
-                               "Height of a black point of the picture."),
+      only_when(real_parameter("image_low", "Height of black", "m", 0.0, lowest_point, highest_point,
+                               "Height of a black point of the picture; where neither this nor image_high is given, "
+                               "what a heightmap written by Erg says of itself."),
                 {"kind", "image"}),
-      only_when(real_parameter("image_high", "Height of white", "m", 10.0, -10000.0, 10000.0,
-                               "Height of a white point of the picture."),
+      only_when(real_parameter("image_high", "Height of white", "m", 10.0, lowest_point, highest_point,
+                               "Height of a white point of the picture; likewise."),
+                {"kind", "image"}),
+      only_when(
+          choice_parameter("image_fit", "Picture fits", "stretch", {"stretch", "crop", "from_file"},
+                           "How a picture of another shape fits the grid: stretch: each side by itself; crop: its "
+                           "middle, cut to the grid's shape; from_file: the grid takes the picture's sides, and the "
+                           "cell size where the picture says one."),
+          {"kind", "image"}),
+      only_when(choice_parameter("image_nodata", "Without data", "refuse", {"refuse", "lowest", "around"},
+                                 "What lies where pixels of the picture are transparent, which means that nothing was "
+                                 "measured there: refuse: no such picture; lowest: its lowest height; around: heights "
+                                 "carried on from the cells around."),
                 {"kind", "image"}),
   });
 }
@@ -218,7 +257,11 @@ Mistake not_asked_for(const std::string& key, const std::string& model_key) {
   return {"", in_quotes(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
 }
 
-Regime starting_wind(const ModelStart& start) { return Regime::constant(Season{}.bearing, start.strength); }
+Regime starting_wind(const ModelStart& start) {
+  Regime wind = Regime::constant(Season{}.bearing, start.strength);
+  wind.seasons.front().spread = start.spread;
+  return wind;
+}
 
 Config::Config() : Config(default_model) {}
 
@@ -251,7 +294,8 @@ void redeclare(ParameterValues& values, const Parameters& declared) {
   ParameterValues anew(declared);
   for (const Parameter& parameter : values.declared()) {
     const Parameter* same = anew.find(parameter.key);
-    if (same == nullptr || values.is_default(parameter.key)) continue;
+    if (same == nullptr || !values.is_set(parameter.key)) continue;
+    if (values.is_default(parameter.key) && same->standard != parameter.standard) continue;
     const ParameterValue& value = values.value(parameter.key);
     if (!check_value(*same, value, "")) anew.set(parameter.key, value);
   }
@@ -268,6 +312,9 @@ void change_model(Config& config, const std::string& model_key) {
   const Season& old_start = from.wind.seasons.front();
   if (config.wind.seasons.size() == 1 && season.first == old_start.first && season.last == old_start.last) {
     season.first = season.last = to.wind.seasons.front().first;
+  }
+  for (Season& each : config.wind.seasons) {
+    if (each.spread == old_start.spread) each.spread = to.wind.seasons.front().spread;
   }
   config.model = model_key;
 }

@@ -17,21 +17,26 @@ struct ModelType;
 /// The version of the config format that this program writes; it reads this one.
 inline constexpr int config_version = 1;
 
+/// The most steps of a run, and of a season.
+inline constexpr std::int64_t most_steps = 1'000'000'000;
+
 /// Declarations of the groups that are not a model's: their values stand under these keys in a config. Cell size and
 /// sand have the defaults of the model that the config is of.
 Parameters grid_parameters(const ModelStart& start = {});   ///< "grid": nx, ny, cell_size, boundary, inflow
 Parameters scene_parameters(const ModelStart& start = {});  ///< "scene": kind and what each kind needs
 Parameters run_parameters();                                ///< "run": steps, seed, executor, threads, sweeps
 
-/// Declarations of what a season of the wind holds besides its bearing and curve; the strength's default is the
-/// model's.
+/// Declarations of what a season of the wind holds besides its bearing and curve; the defaults of strength and spread
+/// are the model's.
 Parameter strength_parameter(const ModelStart& start = {});
+Parameter season_spread_parameter(const ModelStart& start = {});
+Parameter season_hold_parameter();
 Parameter season_steps_parameter();
 Parameter season_snowfall_parameter();
 /// Declaration of a temperature at either end of a run.
 Parameter temperature_parameter();
 
-/// The wind that a config has where it says nothing: one that never changes.
+/// The wind that a config has where it says nothing: one season, with the model's strength and spread.
 Regime starting_wind(const ModelStart& start);
 
 /// One run, whole.
@@ -66,16 +71,17 @@ struct ConfigGroup {
 const std::vector<ConfigGroup>& config_groups();
 
 /// Changes the model. Values that were set (are not at their default) stay where the new model has the same parameter
-/// and accepts them; all others take the new model's defaults. So does a single season's strength where it is the old
-/// model's default. Throws InputError for an unknown key.
+/// and accepts them; all others take the new model's defaults. So do a single season's strength and any season's spread
+/// where they are the old model's default. Throws InputError for an unknown key.
 void change_model(Config& config, const std::string& model_key);
 
 /// The keys of all models, in the catalogue's order.
 std::vector<std::string> model_keys();
 
 /// Sets one value from text, as `--set` does: "group.key=value" or "key=value" where the key is found in one group
-/// only; "model=...", "wind.bearing=...", "wind.strength=...", "temperature.first=...",
-/// "temperature.last=..." and "temperature=..." (both) too. Throws InputError.
+/// only; "model=...", "wind.bearing=...", "wind.strength=..." (both for one season only), "wind.spread=...",
+/// "wind.hold=..." (of every season), "temperature.first=...", "temperature.last=..." and "temperature=..." (both) too.
+/// Throws InputError.
 void set_from_text(Config& config, const std::string& assignment);
 
 }  // namespace erg

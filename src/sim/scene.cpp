@@ -37,31 +37,6 @@ struct Rectangle {
 constexpr std::array<Rectangle, 3> three_rocks = {
     {{0.20, 0.60, 0.28, 0.78}, {0.42, 0.22, 0.52, 0.34}, {0.68, 0.50, 0.74, 0.74}}};
 
-// Weights of the picture's pixels for one row of cells: a tent as wide as a cell or a pixel, whichever is wider. Larger
-// pictures are averaged, smaller ones interpolated.
-struct Taps {
-  int first = 0;
-  std::vector<float> weights;
-};
-
-std::vector<Taps> picture_taps(int cells, int pixels) {
-  const double pixels_a_cell = static_cast<double>(pixels) / cells;
-  const double reach = std::max(1.0, pixels_a_cell);
-  std::vector<Taps> all(static_cast<std::size_t>(cells));
-  for (int cell = 0; cell < cells; ++cell) {
-    const double centre = (cell + 0.5) * pixels_a_cell - 0.5;
-    Taps& taps = all[static_cast<std::size_t>(cell)];
-    taps.first = std::max(0, static_cast<int>(std::ceil(centre - reach)));
-    const int last = std::min(pixels - 1, static_cast<int>(std::floor(centre + reach)));
-    double sum = 0;
-    for (int pixel = taps.first; pixel <= last; ++pixel) sum += 1 - std::abs(pixel - centre) / reach;
-    for (int pixel = taps.first; pixel <= last; ++pixel) {
-      taps.weights.push_back(static_cast<float>((1 - std::abs(pixel - centre) / reach) / sum));
-    }
-  }
-  return all;
-}
-
 class SceneBuilder {
  public:
   SceneBuilder(const Config& config, double quantum)
@@ -250,13 +225,13 @@ class SceneBuilder {
     }
     const std::string& role = scene_.text("image_role");
     if (role != "sand") lay_cover(scene_.real("sand"));
-    const double low = scene_.real("image_low");
-    const double range = scene_.real("image_high") - low;
-    const Grid<float> shade = resample(*picture, terrain_.extent());
+    const auto [low, high] = image_heights(scene_, *picture);
+    Grid<float> resampled;
+    const Grid<float>& shade = on_grid(*picture, terrain_.extent(), resampled);
     Grid<std::int32_t>& bedrock = terrain_.edit_bedrock();
     Grid<std::int32_t>& mobile = terrain_.edit_mobile();
     each_cell([&](int, int, std::size_t cell) {
-      const std::int32_t height = quanta(low + range * shade[cell], "image_high");
+      const std::int32_t height = quanta(low + (high - low) * shade[cell], "image_high");
       if (role == "sand") {
         mobile[cell] = std::max(0, height);
       } else {
@@ -272,27 +247,9 @@ class SceneBuilder {
 
 }  // namespace
 
-Grid<float> resample(const HeightPicture& picture, Extent extent) {
-  const std::vector<Taps> across = picture_taps(extent.nx, picture.nx());
-  const std::vector<Taps> up = picture_taps(extent.ny, picture.ny());
-  Grid<float> narrow({extent.nx, picture.ny()});
-  for (int y = 0; y < picture.ny(); ++y) {
-    for (int x = 0; x < extent.nx; ++x) {
-      const Taps& taps = across[static_cast<std::size_t>(x)];
-      int pixel = taps.first;
-      for (const float weight : taps.weights) narrow(x, y) += weight * picture(pixel++, y);
-    }
-  }
-  Grid<float> result(extent);
-  for (int y = 0; y < extent.ny; ++y) {
-    const Taps& taps = up[static_cast<std::size_t>(y)];
-    int pixel = taps.first;
-    for (const float weight : taps.weights) {
-      for (int x = 0; x < extent.nx; ++x) result(x, y) += weight * narrow(x, pixel);
-      ++pixel;
-    }
-  }
-  return result;
+HeightRange image_heights(const ParameterValues& scene, const HeightPicture& picture) {
+  if (picture.metres && !scene.is_set("image_low") && !scene.is_set("image_high")) return *picture.metres;
+  return {scene.real("image_low"), scene.real("image_high")};
 }
 
 Terrain build_scene(const Config& config, double quantum, const HeightPicture* picture) {

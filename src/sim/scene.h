@@ -3,14 +3,13 @@
 
 #include "core/terrain.h"
 #include "sim/config.h"
+#include "sim/height_picture.h"
 
 namespace erg {
 
-/// A surface read from a picture, 0 (black) to 1 (white); row 0 south.
-using HeightPicture = Grid<float>;
-
-/// The picture brought to the extent of a grid.
-Grid<float> resample(const HeightPicture& picture, Extent extent);
+/// Heights of the picture's black and white points: the scene's, or what the picture says of itself where the scene
+/// sets neither `image_low` nor `image_high`.
+HeightRange image_heights(const ParameterValues& scene, const HeightPicture& picture);
 
 /// Builds the terrain that `config` asks for, with its ledger open: *flat*, *random*, *ripples*, *transverse*, *rocks*,
 /// *uneven*, *hump*, *dune*, *valley*, *cone* or *image*. `quantum` in m. `picture` is the decoded image of the *image*

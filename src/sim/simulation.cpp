@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/run_check.h"
+
 namespace erg {
 namespace {
 
@@ -39,18 +41,19 @@ Simulation::Simulation(Config config, const HeightPicture* picture, const Height
 
 Simulation::Simulation(Config config, RunState state) : config_(std::move(config)), state_(std::move(state)) {
   start();
+  check_state(config_, model_->quantum(), state_);
   begin_model(nullptr);
 }
 
 void Simulation::begin_model(const HeightPicture* picture) {
-  Grid<float> on_grid;
-  if (picture != nullptr) on_grid = resample(*picture, state_.terrain.extent());
+  Grid<float> resampled;
   model_->prepare({static_cast<std::uint64_t>(config_.run.integer("seed")), weather(0).temperature,
-                   picture != nullptr ? &on_grid : nullptr});
+                   picture != nullptr ? &on_grid(*picture, state_.terrain.extent(), resampled) : nullptr});
   model_->begin(state_.terrain);
 }
 
 void Simulation::start() {
+  check_config(config_);
   type_ = &find_model(config_.model);
   model_ = type_->make(config_.parameters);
   executor_ = make_executor(executor_options(config_.run));
@@ -59,7 +62,7 @@ void Simulation::start() {
 WindNow Simulation::last_wind() const { return weather(std::max<std::int64_t>(0, state_.step - 1)); }
 
 WindNow Simulation::weather(std::int64_t step) const {
-  WindNow now = config_.wind.at(step);
+  WindNow now = config_.wind.at(step, static_cast<std::uint64_t>(config_.run.integer("seed")));
   const std::int64_t last = config_.run.integer("steps") - 1;
   now.temperature = config_.temperature.at(last > 0 ? static_cast<double>(step) / static_cast<double>(last) : 0.0);
   return now;
@@ -67,6 +70,13 @@ WindNow Simulation::weather(std::int64_t step) const {
 
 StepReport Simulation::step() {
   if (finished()) return {};
+  if (edited_) {
+    check_edit();
+    if (ledger_problem(state_.terrain)) {
+      throw InputError("terrain", "it was edited, and the edit was not booked", "call book_edit after edit_terrain");
+    }
+    edited_ = false;
+  }
   const StepKey key{static_cast<std::uint64_t>(config_.run.integer("seed")), static_cast<std::uint64_t>(state_.step)};
   const StepReport report = model_->step(state_.terrain, wind(), key, *executor_);
   state_.totals += report;
@@ -93,28 +103,46 @@ const Terrain& Simulation::terrain() {
 
 Terrain& Simulation::edit_terrain() {
   executor_->settle(state_.terrain);
+  edited_ = true;
   return state_.terrain;
 }
 
+void Simulation::check_edit() const {
+  if (const auto problem = terrain_problem(config_, model_->quantum(), state_.terrain)) {
+    throw InputError("terrain", "no run can go on from this edit: " + *problem, "mend it, and call book_edit again");
+  }
+}
+
 void Simulation::book_edit() {
+  check_edit();
   MassLedger& ledger = state_.terrain.ledger();
+  if (!counts_in_range(ledger)) {
+    throw InputError("terrain", "a count of its account is out of range", "leave the account to book_edit");
+  }
   const std::int64_t change = state_.terrain.total_mobile() - ledger.expected();
   (change >= 0 ? ledger.in : ledger.out) += change >= 0 ? change : -change;
+  edited_ = false;
   model_->edited(state_.terrain);
   wake();
 }
 
 void Simulation::change(Config config) {
+  check_config(config);
   if (needs_new_terrain(config_, config)) {
     throw InputError("", "this change needs a new terrain", "create the terrain anew");
   }
   std::unique_ptr<Model> model = type_->make(config.parameters);
-  std::unique_ptr<Executor> executor = make_executor(executor_options(config.run));
+  // The executor stays unless it is what changes: threads and memory of its own take longer than a step.
+  const ExecutorOptions options = executor_options(config.run);
+  std::unique_ptr<Executor> other;
+  if (options != executor_options(config_.run)) other = make_executor(options);
   executor_->settle(state_.terrain);
   config_ = std::move(config);
   model_ = std::move(model);
-  executor_ = std::move(executor);
-  if (flux_) executor_->count_lifts(&flux_->counts());
+  if (other) {
+    executor_ = std::move(other);
+    if (flux_) executor_->count_lifts(&flux_->counts());
+  }
   begin_model(nullptr);
   model_->keep_paths(paths_wanted_);
   wake();

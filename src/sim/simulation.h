@@ -26,10 +26,11 @@ bool needs_new_terrain(const Config& running, const Config& wanted);
 
 class Simulation {
  public:
-  /// Builds the scene. `picture` as in build_scene; `model_picture`: that of the model's own path parameter.
+  /// Builds the scene. `picture` as in build_scene; `model_picture`: that of the model's own path parameter. Throws
+  /// InputError where the config is none of its model (check_config) or its scene cannot be built.
   explicit Simulation(Config config, const HeightPicture* picture = nullptr,
                       const HeightPicture* model_picture = nullptr);
-  /// Goes on from a saved state.
+  /// Goes on from a saved state. Throws InputError where a run of this config cannot (check_state).
   Simulation(Config config, RunState state);
 
   const Config& config() const { return config_; }
@@ -52,12 +53,14 @@ class Simulation {
   const StepReport& totals() const { return state_.totals; }
   bool finished() const { return state_.totals.finished; }
 
-  /// One time step; what it did. Does nothing when finished.
+  /// One time step; what it did. Does nothing when finished. Throws InputError after an edit that was not booked.
   StepReport step();
   /// The terrain, up to date.
   const Terrain& terrain();
   /// The terrain for editing (painting, events); book_edit, afterwards, books in the ledger what the edit added or
-  /// took, and lets the model know (Model::edited).
+  /// took, and lets the model know (Model::edited). It throws InputError for an edit that no run can go on from: cells
+  /// that hold less than nothing, heights, values or extents out of range, fields that are gone. Then mend it and book
+  /// again.
   Terrain& edit_terrain();
   void book_edit();
   /// Goes on under another config from the next step on, as a run resumed from here would. A run that had come to its
@@ -71,6 +74,7 @@ class Simulation {
   void wake();
   WindNow weather(std::int64_t step) const;
   void begin_model(const HeightPicture* picture);
+  void check_edit() const;
 
   Config config_;
   const ModelType* type_ = nullptr;
@@ -79,6 +83,7 @@ class Simulation {
   RunState state_;
   std::unique_ptr<FluxWatch> flux_;  // the executor counts there
   int paths_wanted_ = 0;
+  bool edited_ = false;  // since the last step or book_edit
 };
 
 }  // namespace erg

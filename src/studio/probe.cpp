@@ -61,6 +61,7 @@ std::string CellReading::text() const {
 }
 
 CellReading read_cell(const Terrain& terrain, CellPlace place) {
+  check_whole(terrain);
   CellReading reading;
   reading.place = place;
   reading.mobile = terrain.mobile()(place.x, place.y);
@@ -80,6 +81,7 @@ CellReading read_cell(const Terrain& terrain, CellPlace place) {
 }
 
 Section cut_section(const Terrain& terrain, CellPlace from, CellPlace to) {
+  check_whole(terrain);
   Section section{from, to, {}, {}, {}};
   const int dx = to.x - from.x;
   const int dy = to.y - from.y;
@@ -97,6 +99,7 @@ Section cut_section(const Terrain& terrain, CellPlace from, CellPlace to) {
 }
 
 Histogram thickness_histogram(const Terrain& terrain, std::size_t most_bars) {
+  check_whole(terrain);
   Histogram histogram;
   const auto cells = terrain.mobile().cells();
   if (cells.empty()) return histogram;
@@ -109,6 +112,7 @@ Histogram thickness_histogram(const Terrain& terrain, std::size_t most_bars) {
 }
 
 Histogram height_histogram(const Terrain& terrain, std::size_t bars) {
+  check_whole(terrain);
   Histogram histogram;
   if (terrain.extent().cells() == 0) return histogram;
   const auto [low, high] = surface_range(terrain);
@@ -128,6 +132,7 @@ Histogram height_histogram(const Terrain& terrain, std::size_t bars) {
 }
 
 Histogram slope_histogram(const Terrain& terrain, double width) {
+  check_whole(terrain);
   Histogram histogram{0, width, {}};
   histogram.counts.assign(static_cast<std::size_t>(std::ceil(90 / width)), 0);
   for (int y = 0; y < terrain.ny(); ++y) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <random>
 
+#include "io/start_simulation.h"
 #include "sim/simulation.h"
 #include "sim/step_time.h"
 
@@ -29,7 +30,7 @@ const ParameterValues* group_of(const Config& config, const std::string& key) {
 
 std::string SetupRow::tooltip() const {
   std::string text = parameter->meaning;
-  text += "\nAccepts " + accepted_text(*parameter) + (parameter->unit.empty() ? "" : " " + parameter->unit);
+  text += "\nAccepts " + accepted_with_unit(*parameter);
   text += "; default " + value_text(parameter->standard) + ".";
   if (!parameter->source.empty()) text += "\nSource: " + parameter->source + ".";
   text += needs_new_terrain ? "\nTakes effect with CREATE." : "\nTakes effect at the next step.";
@@ -54,7 +55,11 @@ void Setup::choose_material(Material material) {
 
 const ModelType& Setup::model() const { return find_model(config_.model); }
 
-void Setup::choose_model(const std::string& key) { change_model(config_, key); }
+void Setup::choose_model(const std::string& key) {
+  change_model(config_, key);
+  config_.title = has_its_own_model() ? named_.title : "";
+  config_.description = has_its_own_model() ? named_.description : "";
+}
 
 std::vector<SetupRow> Setup::rows(const std::string& group, const Config* running) const {
   std::vector<SetupRow> found;
@@ -103,7 +108,7 @@ std::optional<Mistake> Setup::set_text(const std::string& group, const std::stri
 void Setup::reset(const std::string& group, const std::string& key) {
   ParameterValues* values = this->group(group);
   if (values == nullptr) return;
-  if (const Parameter* parameter = values->find(key)) values->set(key, parameter->standard);
+  if (values->find(key) != nullptr) values->reset(key);
 }
 
 void Setup::reset_all() {
@@ -167,6 +172,7 @@ Config Setup::in_force_on(const Config& running) const {
 
 Config Setup::config_to_create() {
   if (auto found = mistakes(); !found.empty()) throw InputError(std::move(found));
+  take_grid_from_picture(config_);
   if (fresh_seed_) config_.run.set("seed", drawn_seed());
   return config_;
 }

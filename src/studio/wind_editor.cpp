@@ -82,6 +82,18 @@ std::optional<Mistake> WindEditor::set_steps(std::size_t index, std::int64_t ste
   return std::nullopt;
 }
 
+std::optional<Mistake> WindEditor::set_spread(std::size_t index, double degrees) {
+  if (auto mistake = check_value(season_spread_parameter(), degrees, season_place(index))) return mistake;
+  regime_->seasons.at(index).spread = degrees;
+  return std::nullopt;
+}
+
+std::optional<Mistake> WindEditor::set_hold(std::size_t index, std::int64_t steps) {
+  if (auto mistake = check_value(season_hold_parameter(), steps, season_place(index))) return mistake;
+  regime_->seasons.at(index).hold = steps;
+  return std::nullopt;
+}
+
 std::optional<Mistake> WindEditor::set_snowfall(std::size_t index, double snowfall) {
   if (auto mistake = check_value(season_snowfall_parameter(), snowfall, season_place(index))) return mistake;
   regime_->seasons.at(index).snowfall = snowfall;

@@ -47,6 +47,9 @@ class WindEditor {
   std::optional<Mistake> set_bearing(std::size_t index, std::string_view text);
   std::optional<Mistake> set_first(std::size_t index, double strength);
   std::optional<Mistake> set_last(std::size_t index, double strength);
+  /// How much the bearing swings, degrees, and for how many steps a draw holds.
+  std::optional<Mistake> set_spread(std::size_t index, double degrees);
+  std::optional<Mistake> set_hold(std::size_t index, std::int64_t steps);
   /// mm of snow an hour, for snow models that let it fall.
   std::optional<Mistake> set_snowfall(std::size_t index, double snowfall);
   std::optional<Mistake> set_steps(std::size_t index, std::int64_t steps);

@@ -61,7 +61,7 @@ struct GrainLaw {
   int bounce_limit = 0;
   float splash = 0;                ///< most grains that one impact knocks loose
   float splash_speed_squared = 0;  ///< (m/s)^2, of an impact that knocks half as many loose
-  float reptation_cells = 0;       ///< mean reptation for an impact of 1 m/s, cells
+  float reptation_cells = 0;       ///< mean reptation for an impact of 1 m/s in this wind, cells
   float reptation_slope = 0;       ///< how much a rise of 1 shortens it; cotangent of the angle it starts at
   float sideways = 0;              ///< share of reptating grains that go across the wind
   float rolling = 0;               ///< chance to roll to a lower neighbour, for a slope of 1

@@ -11,6 +11,7 @@ namespace erg {
 
 void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const TerrainHeights heights = check_height(terrain);
+  stamp_ = 0;
   frame_ = frame;
   open_ = terrain.boundary() == Boundary::open;
   layout_ = plane_layout(frame, open_);
@@ -25,9 +26,8 @@ void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   } else {
     load_heights<std::uint16_t>(terrain);
   }
-  cover_loaded_ = false;
-  loaded_ = &terrain;
-  revision_ = terrain.revision();
+  cover_source_ = {};
+  stamp_ = terrain.stamp();
 }
 
 /// Whether the planes already lie as this frame wants them.
@@ -66,6 +66,7 @@ void ParallelExecutor::visit_cells(const Visit& visit) {
 template <typename Lane>
 void ParallelExecutor::load_heights(const Terrain& terrain) {
   Planes<Lane>& mine = planes<Lane>();
+  mine.rings.clear();  // of a step that failed
   mine.before.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   mine.after.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   mine.bedrock.resize(relief_ ? layout_.block_size * static_cast<std::size_t>(layout_.blocks) : 0);
@@ -90,7 +91,7 @@ void ParallelExecutor::settle(Terrain& terrain) {
   } else {
     write(wide_planes_);
   }
-  revision_ = terrain.revision();
+  stamp_ = terrain.stamp();
 }
 
 void ParallelExecutor::change_lanes(bool narrow) {
@@ -107,7 +108,7 @@ void ParallelExecutor::change_lanes(bool narrow) {
     narrow_planes_ = {};
   }
   narrow_ = narrow;
-  cover_loaded_ = false;
+  cover_source_ = {};
 }
 
 // --- what the law means on this grid ---
@@ -116,13 +117,15 @@ template <typename Lane>
 void ParallelExecutor::load_cover(const SlabLaw& law) {
   if (law.cover == nullptr) {
     cover_.clear();
-    cover_loaded_ = false;
+    cover_source_ = {};
     planes<Lane>().steps.clear();
     planes<Lane>().diagonal_steps.clear();
     return;
   }
-  if (cover_loaded_ && cover_revision_ == law.cover_revision) return;
-  const auto cover = law.cover->cells();
+  const CoverSource source{law.cover->stamp(), law.bare, law.covered, law.covered_from};
+  if (cover_source_ == source) return;
+  cover_source_ = {};
+  const auto cover = (*law.cover)->cells();
   cover_.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   visit_cells([&](std::size_t here, std::size_t there) { cover_[here] = cover[there]; });
 
@@ -137,8 +140,7 @@ void ParallelExecutor::load_cover(const SlabLaw& law) {
   };
   lay_steps(mine.steps, law.bare.straight, law.covered.straight);
   lay_steps(mine.diagonal_steps, law.bare.diagonal, law.covered.diagonal);
-  cover_revision_ = law.cover_revision;
-  cover_loaded_ = true;
+  cover_source_ = source;
 }
 
 /// Marks the rows whose bedrock may stop a slab: only where it stands higher than a step over the lowest ground.
@@ -167,10 +169,9 @@ void ParallelExecutor::prepare_walls(const SlabLaw& law) {
 
 /// Fills the table of hops in rows * 256, one entry for each height over the base (or one for all).
 template <typename Lane>
-void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength) {
-  const auto rows_256 = [&](double above_reference) {
-    return hop_rows_256({strength, law.hop.linear, law.hop.quadratic, frame_.cosine}, above_reference);
-  };
+void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength, StepKey key) {
+  const HopCurve hop{strength, law.hop.linear, law.hop.quadratic, frame_.cosine, hop_rounding(key)};
+  const auto rows_256 = [&](double above_reference) { return hop_rows_256(hop, above_reference); };
   if (!law.hop.depends_on_height()) {
     hop_table_.assign(1, rows_256(0));
     return;
@@ -289,8 +290,8 @@ int ParallelExecutor::ring_rows(int highest) const {
 
 template void ParallelExecutor::load_cover<std::uint8_t>(const SlabLaw&);
 template void ParallelExecutor::load_cover<std::uint16_t>(const SlabLaw&);
-template void ParallelExecutor::prepare_hops<std::uint8_t>(const SlabLaw&, double);
-template void ParallelExecutor::prepare_hops<std::uint16_t>(const SlabLaw&, double);
+template void ParallelExecutor::prepare_hops<std::uint8_t>(const SlabLaw&, double, StepKey);
+template void ParallelExecutor::prepare_hops<std::uint16_t>(const SlabLaw&, double, StepKey);
 template void ParallelExecutor::prepare_strips<std::uint8_t>(int);
 template void ParallelExecutor::prepare_strips<std::uint16_t>(int);
 template bool ParallelExecutor::lines_stay_apart<std::uint8_t>() const;

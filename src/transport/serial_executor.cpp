@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "transport/fixed_point.h"
 
@@ -39,6 +40,7 @@ StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const Wind
   frame_ = frame;
   law_ = law;
   prepare(law, wind, key);
+  const std::uint64_t stamp = std::exchange(stamp_, 0);  // half way it is nobody's terrain
   let_inflow_enter();
 
   const auto cells = static_cast<std::int64_t>(surface_.size());
@@ -56,11 +58,13 @@ StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const Wind
   }
   terrain.ledger().in += report_.slabs_in;
   terrain.ledger().out += report_.slabs_out;
+  stamp_ = stamp;
   return report_;
 }
 
 void SerialExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const TerrainHeights heights = check_height(terrain);
+  stamp_ = 0;
   lowest_ = heights.lowest;
   has_relief_ = heights.relief;
   const auto bedrock = terrain.bedrock().cells();
@@ -76,8 +80,7 @@ void SerialExecutor::load(const Terrain& terrain, const WindFrame& frame) {
     }
   }
   open_ = terrain.boundary() == Boundary::open;
-  loaded_ = &terrain;
-  revision_ = terrain.revision();
+  stamp_ = terrain.stamp();
   count_heights();
 }
 
@@ -87,7 +90,7 @@ void SerialExecutor::settle(Terrain& terrain) {
   for (int u = 0; u < frame_.width; ++u) {
     for (int v = 0; v < frame_.length; ++v) mobile[frame_.cell(u, v)] = surface_[index(u, v)] - bedrock_[index(u, v)];
   }
-  revision_ = terrain.revision();
+  stamp_ = terrain.stamp();
 }
 
 GrainReport SerialExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
@@ -112,7 +115,7 @@ void SerialExecutor::prepare(const SlabLaw& law, const WindNow& wind, StepKey ke
   if (law.cover == nullptr) return;
   cover_.resize(surface_.size());
   for (int u = 0; u < frame_.width; ++u) {
-    for (int v = 0; v < frame_.length; ++v) cover_[index(u, v)] = (*law.cover)[frame_.cell(u, v)];
+    for (int v = 0; v < frame_.length; ++v) cover_[index(u, v)] = (**law.cover)[frame_.cell(u, v)];
   }
 }
 
@@ -171,7 +174,10 @@ bool SerialExecutor::lift(std::size_t cell, Draws& draws) {
   const Place start = place_of(cell);
   if (!cover_.empty() && draws.unit() * 255 < cover_[cell]) return false;
   if (!law_.lift_in_shadow && in_shadow(start, draws)) return false;
-  const std::int32_t height = surface_[cell];
+  ++report_.lifts;
+  if (lift_counts() != nullptr) ++(*lift_counts())[frame_.cell(start.u, start.v)];
+  const int hop = hop_rows(surface_[cell], draws);
+  if (hop == 0) return true;  // it lies where it lay
   std::size_t source = cell;
   Place place = start;
   for (std::size_t next = steepest_neighbour(place, true); next != nowhere; next = steepest_neighbour(place, true)) {
@@ -179,9 +185,7 @@ bool SerialExecutor::lift(std::size_t cell, Draws& draws) {
     place = place_of(next);
   }
   change(source, -1);
-  ++report_.lifts;
-  if (lift_counts() != nullptr) ++(*lift_counts())[frame_.cell(start.u, start.v)];
-  fly(start, height, draws);
+  fly(start, hop, draws);
   return true;
 }
 
@@ -212,7 +216,7 @@ std::size_t SerialExecutor::steepest_neighbour(Place place, bool uphill) const {
 }
 
 /// A slab in the air: hops until it stays, meets an obstacle or leaves over an open edge (algorithms 2, 3 and 7).
-void SerialExecutor::fly(Place place, std::int32_t height, Draws& draws) {
+void SerialExecutor::fly(Place place, int hop, Draws& draws) {
   const double sideways = frame_.tangent > 0 ? draws.unit() : 0;
   const int first_u = place.u;
   const int flight_limit = longest_flight * frame_.length;
@@ -221,7 +225,7 @@ void SerialExecutor::fly(Place place, std::int32_t height, Draws& draws) {
     return first_u + static_cast<int>(std::floor(row * frame_.tangent + sideways));
   };
   while (true) {
-    const int target = rows + hop_rows(height, draws);
+    const int target = rows + std::max(1, hop);
     while (rows < target) {
       int u = sideways_at(rows + 1);
       int v = place.v + 1;
@@ -243,7 +247,7 @@ void SerialExecutor::fly(Place place, std::int32_t height, Draws& draws) {
       report_.travel += rows / frame_.cosine;
       return deposit(place);
     }
-    height = surface_[here];
+    hop = hop_rows(surface_[here], draws);
   }
 }
 
@@ -282,7 +286,7 @@ void SerialExecutor::enter(Draws& draws, Place entry) {
   if (draws.unit() < stay_chance(here) || in_shadow(place, draws)) {
     deposit(place);
   } else {
-    fly(place, surface_[here], draws);
+    fly(place, hop_rows(surface_[here], draws), draws);
   }
 }
 
@@ -335,7 +339,8 @@ double SerialExecutor::stay_chance(std::size_t cell) const {
   return chance + cover_[cell] / 255.0 * (1 - chance);
 }
 
-/// Length of a hop that starts on ground of this height, in rows of the frame, rounded at random; at least one.
+/// Length of a hop that starts on ground of this height, in rows of the frame, rounded at random. 0: a slab that was to
+/// lift lies where it lay; one in the air comes down a row further on all the same.
 int SerialExecutor::hop_rows(std::int32_t height, Draws& draws) const {
   double cells = strength_;
   if (law_.hop.depends_on_height()) {
@@ -344,7 +349,7 @@ int SerialExecutor::hop_rows(std::int32_t height, Draws& draws) const {
   }
   const double rows = cells * frame_.cosine;
   const double whole = std::floor(rows);
-  return std::max(1, static_cast<int>(rows == whole ? whole : std::floor(rows + draws.unit())));
+  return static_cast<int>(rows == whole ? whole : std::floor(rows + draws.unit()));
 }
 
 void SerialExecutor::change(std::size_t cell, int slabs) {

@@ -10,14 +10,14 @@
 
 namespace erg {
 
-/// Cells: no hop is shorter.
+/// Cells: no hop grows shorter with the height of its ground than this, or than it is in this wind anyway.
 inline constexpr double shortest_hop = 1.0;
 
 /// A slab that has flown this many lengths of the grid lands wherever it is, so that chances of 0 cannot fly for ever.
 inline constexpr int longest_flight = 16;
 
 /// What a random byte in a sub-sweep is for.
-enum class Draw : std::uint32_t { poll = 1, hop, cover, inflow, first_landing, second_landing };
+enum class Draw : std::uint32_t { share, poll, hop, cover, inflow, first_landing, second_landing };
 
 /// The random word of one row (or block of rows) of lines in a sub-sweep.
 ERG_CELL_RULE std::uint64_t row_word(std::uint64_t sweep_word, std::uint32_t row) {
@@ -40,13 +40,19 @@ ERG_CELL_RULE std::uint32_t line_byte(std::uint32_t key, std::uint32_t line) {
   return (quad_word(key, line >> 2) >> (8 * (line & 3))) & 0xff;
 }
 
-/// Rows in which the hops of a line are rounded alike where all hops have the same length: a draw for each row would
-/// cost a twentieth of the sub-sweep, and a slab comes down in other rows before it could tell.
-inline constexpr int hop_rows_alike = 8;
+/// Rows in which the hops of a line are rounded alike where all hops have the same length (rows_256 / 256): a draw for
+/// each row would cost a twentieth of the sub-sweep. Never more than the whole rows of a hop: a slab that took off
+/// twice among rows rounded alike would make more of the shorter hops than of the longer ones, and fly short on the
+/// mean.
+ERG_CELL_RULE int hop_rows_alike(std::uint32_t rows_256) {
+  constexpr int most = 8;
+  const int whole = static_cast<int>(rows_256 >> fixed_point_bits);
+  return whole < 1 ? 1 : whole < most ? whole : most;
+}
 
 /// Keys the bytes (line_byte) that round such hops, for the slabs that leave this row.
-ERG_CELL_RULE std::uint32_t hop_key(std::uint64_t sweep_word, std::uint32_t row) {
-  return draw_key(row_word(sweep_word, row / static_cast<std::uint32_t>(hop_rows_alike)), Draw::hop);
+ERG_CELL_RULE std::uint32_t hop_key(std::uint64_t sweep_word, std::uint32_t row, std::uint32_t rows_256) {
+  return draw_key(row_word(sweep_word, row / static_cast<std::uint32_t>(hop_rows_alike(rows_256))), Draw::hop);
 }
 
 /// Further random bytes for the same lines, cheaper than a fresh word: from a quad's word of the first landing draw,
@@ -78,25 +84,30 @@ struct HopCurve {
   double linear = 0;
   double quadratic = 0;
   double cosine = 1;
+  double rounding = 0;  ///< in [0, 1): the step's own (hop_rounding), so that lengths are exact on the mean of steps
 };
 
 /// Cells of a hop from ground this high (slabs) over the reference, before the shortest hop bounds it.
 ERG_CELL_RULE double hop_cells(double strength, double linear, double quadratic, double above_reference) {
   double length = strength + linear * above_reference;
   if (above_reference > 0) length += quadratic * above_reference * above_reference;
-  return length > shortest_hop ? length : shortest_hop;
+  const double shortest = strength < shortest_hop ? strength : shortest_hop;
+  return length > shortest ? length : shortest;
 }
 
-/// The same in rows * 256: 256 at least.
+/// The same in rows * 256: 1 at least.
 ERG_CELL_RULE std::uint32_t hop_rows_256(const HopCurve& curve, double above_reference) {
   const double rows = hop_cells(curve.strength, curve.linear, curve.quadratic, above_reference) * curve.cosine;
-  const std::int64_t rows_256 = fixed_point(rows);
-  return static_cast<std::uint32_t>(rows_256 > 256 ? rows_256 : 256);
+  const auto rows_256 = static_cast<std::int64_t>(rows * (1 << fixed_point_bits) + curve.rounding);
+  return static_cast<std::uint32_t>(rows_256 > 1 ? rows_256 : 1);
 }
 
-/// Rows of a hop whose length is `rows_256` / 256, rounded by a random byte. rows_256 is at least 256.
+/// Rows of a hop whose length is `rows_256` / 256, rounded by a random byte. A hop of no row: the slab that was to lift
+/// lies where it lay. A slab in the air comes down a row further on at the least (rows_on), so that a hop shorter than
+/// a row is, for each slab lifted, as long on the mean as it should be.
 ERG_CELL_RULE std::uint32_t hop_rows(std::uint32_t rows_256, std::uint32_t random_byte) {
   return (rows_256 + random_byte) >> 8;
 }
+ERG_CELL_RULE std::uint32_t rows_on(std::uint32_t hop_rows) { return hop_rows > 0 ? hop_rows : 1; }
 
 }  // namespace erg

@@ -14,7 +14,7 @@ namespace erg {
 namespace {
 
 /// What the random words of a step are for; each has a key space of its own.
-enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations };
+enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations, hop_lengths };
 
 void draw_lines(const WindFrame& frame, StepKey key, std::uint64_t line_age, SubSweep& drawn) {
   if (frame.tangent <= 0) return;
@@ -33,24 +33,46 @@ void draw_slide_order(const SlabLaw& law, StepKey key, std::uint64_t sweep, SubS
   }
 }
 
+/// The share of a sub-sweep's polls that forced erosion still needs.
+std::uint32_t poll_share_16(const SlabLaw& law, const WindFrame& frame, const StepAccount& account) {
+  const std::int64_t wanted = static_cast<std::int64_t>(frame.width) * frame.length - account.lifts;
+  if (!law.forced_erosion || wanted >= account.last_lifts) return whole_share_16;
+  return static_cast<std::uint32_t>(wanted * whole_share_16 / account.last_lifts);
+}
+
 }  // namespace
 
-void permute_rows(StepKey key, std::uint64_t round, std::uint64_t draw, int sweep, int sweeps,
-                  std::uint8_t (&polled_row)[256]) {
+void StepAccount::book(const SubSweep& done, std::int64_t lifted) {
+  ++sweep;
+  idle = lifted > 0 ? 0 : idle + 1;
+  lifts += lifted;
+  last_lifts = lifted;
+  complete = done.poll_share_16 < whole_share_16;
+}
+
+double hop_rounding(StepKey key) { return random_below(key, 0, 0, hop_lengths, 1u << 16) * 0x1p-16; }
+
+void PolledRows::permute(StepKey key, std::uint64_t round, std::uint64_t draw, int sweeps, int first, int end) {
   std::array<std::uint8_t, 64> order{};
-  for (std::uint32_t number = 0; number < 256; ++number) {
+  for (int number = first; number < end; ++number) {
     std::iota(order.begin(), order.begin() + sweeps, std::uint8_t{0});
-    std::uint64_t word = random_word(key, round, number, draw);
+    std::uint64_t word = random_word(key, round, static_cast<std::uint64_t>(number), draw);
     for (int last = sweeps - 1; last > 0; --last) {
       word = mix64(word);
       const auto other = static_cast<std::size_t>(((word >> 32) * static_cast<std::uint64_t>(last + 1)) >> 32);
       std::swap(order[static_cast<std::size_t>(last)], order[other]);
     }
-    polled_row[number] = order[static_cast<std::size_t>(sweep)];
+    for (int sweep = 0; sweep < sweeps; ++sweep) of_sweep[sweep][number] = order[static_cast<std::size_t>(sweep)];
   }
 }
 
-SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, int sweep, int sweeps) {
+void PolledRows::draw(StepKey key, int sweep, int sweeps, int first, int end) {
+  permute(key, static_cast<std::uint64_t>(sweep / sweeps), SweepWord::permutations, sweeps, first, end);
+}
+
+SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, const StepAccount& account,
+                   int sweeps, const PolledRows& rows) {
+  const int sweep = account.sweep;
   const int round = sweep / sweeps;
   const auto number = static_cast<std::uint64_t>(sweep);
   SubSweep drawn;
@@ -59,11 +81,11 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   // Non-repeated polling cuts the lines into blocks for a whole round of K sub-sweeps, so it keeps its lines that long.
   const std::uint64_t line_age = law.repeated_polling ? number : static_cast<std::uint64_t>(round) << 32;
   drawn.poll_word = random_word(key, line_age, 0, polls);
+  drawn.poll_share_16 = poll_share_16(law, frame, account);
   drawn.permuted = !law.repeated_polling;
-  if (drawn.permuted) {
-    permute_rows(key, static_cast<std::uint64_t>(round), permutations, sweep % sweeps, sweeps, drawn.polled_row);
-  }
+  if (drawn.permuted) std::ranges::copy(rows.of_sweep[sweep % sweeps], drawn.polled_row);
   draw_lines(frame, key, line_age, drawn);
+  drawn.rows_around = frame.width / std::gcd<std::int64_t>(frame.width, drawn.drift) * frame.length;
   drawn.p_sand_16 = static_cast<std::uint32_t>(std::llround(law.p_sand * 65536));
   drawn.p_bare_16 = static_cast<std::uint32_t>(std::llround(law.p_bare * 65536));
   drawn.lift_in_shadow = law.lift_in_shadow;
@@ -78,9 +100,9 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   return drawn;
 }
 
-bool goes_on(const SlabLaw& law, int sweep, int idle, std::int64_t lifts, std::int64_t cells, int sweeps) {
-  if (!law.forced_erosion) return sweep < sweeps;
-  return lifts < cells && idle < idle_rounds * sweeps;
+bool goes_on(const SlabLaw& law, const StepAccount& account, std::int64_t cells, int sweeps) {
+  if (!law.forced_erosion) return account.sweep < sweeps;
+  return !account.complete && account.lifts < cells && account.idle < idle_rounds * sweeps;
 }
 
 }  // namespace erg

@@ -163,10 +163,22 @@ class Conveyor {
       ERG_EACH(i, lanes_) target[i] = static_cast<Lane>(target[i] & mask);
     }
     for (int i = strip_.lines; i < lanes_; ++i) target[i] = all_ones;
+    thin_polls(word);
     const Lane rows = static_cast<Lane>(plan_.layout.length - y < block ? plan_.layout.length - y : block);
     Lane* __restrict polls = polls_;
     ERG_EACH(i, lanes_) polls[i] = static_cast<Lane>(polls[i] + (target[i] < rows ? 1 : 0));
     if (++blocks_polled_ == static_cast<Lane>(~Lane{0})) flush_polls();
+  }
+
+  /// Carries out only such a share of the polls as the sub-sweep wants.
+  void thin_polls(std::uint64_t word) {
+    if (plan_.poll_share_16 >= whole_share_16) return;
+    const std::uint32_t chance = byte_chance(plan_.poll_share_16, word);
+    if (chance > 255) return;
+    draws_.fill(row_.random, draw_key(word, Draw::share));
+    const Lane* __restrict random = row_.random;
+    Lane* __restrict target = strip_.target;
+    ERG_EACH(i, lanes_) target[i] = static_cast<Lane>(target[i] | (random[i] < chance ? Lane{0} : all_ones));
   }
 
   // --- lifting and landing ---
@@ -174,7 +186,7 @@ class Conveyor {
   /// Everything that happens in one row: which slabs lift, which stay, and where the others come down next.
   void decide(std::int64_t flown, Lane row_in_block) {
     Lane* arrivals = flight_.arrivals(flown);
-    if (flown % hop_rows_alike == 0) flight_.round_hops(flown);
+    if (flown % hop_rows_alike(plan_.hop_table[0]) == 0) flight_.round_hops(flown);
     judge_ground();
     draws_.fill_landing(row_);
     const Lane most = lift_and_land(arrivals, row_in_block);
@@ -187,7 +199,7 @@ class Conveyor {
     if (most > 2) land_others(arrivals);
     if (most > 0) std::memset(arrivals, 0, static_cast<std::size_t>(lanes_) * sizeof(Lane));
     if (plan_.wall_rows) meet_walls(flown);
-    if (any_leaving_) flight_.launch(row_, flown);
+    if (any_leaving_ && flight_.launch(row_, flown)) ++most_landed_;
     count(flown);
   }
 

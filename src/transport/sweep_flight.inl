@@ -10,21 +10,20 @@ class Flight {
   /// How many slabs come down at each lane of a row.
   Lane* arrivals(std::int64_t flown) { return strip_.ring + ring_start(flown); }
 
-  /// Sends the slabs that leave this row to the row where they come down next.
-  void launch(Row<Lane>& row, std::int64_t flown) {
-    if (plan_.hop_by_height) {
-      launch_by_height(row, flown);
-      return;
-    }
+  /// Sends the slabs that leave this row to the row where they come down next. Whether some that were lifted make a hop
+  /// of no row: they have landed in this one.
+  bool launch(Row<Lane>& row, std::int64_t flown) {
+    if (plan_.hop_by_height) return launch_by_height(row, flown);
     const std::uint32_t rows_256 = plan_.hop_table[0];
     const std::uint32_t near_rows = rows_256 >> fixed_point_bits;
+    if (near_rows == 0) return launch_short(row, flown);
     const Lane far_below = static_cast<Lane>(rows_256 & 0xff);  // of 256: how often a hop is one row longer
     const Lane* __restrict leaving = row.leaving;
     Lane* __restrict near_ring = strip_.ring + ring_start(flown + near_rows);
     if (far_below == 0) {
       ERG_EACH(i, lanes_) near_ring[i] = static_cast<Lane>(near_ring[i] + leaving[i]);
       expect(flown + near_rows);
-      return;
+      return false;
     }
     const Lane* __restrict one_further = one_further_;
     Lane* __restrict far_ring = strip_.ring + ring_start(flown + near_rows + 1);
@@ -35,14 +34,16 @@ class Flight {
       far_ring[i] = static_cast<Lane>(far_ring[i] + far);
     }
     expect(flown + near_rows + 1);
+    return false;
   }
 
   /// For the rows from this one on where hops are rounded alike: which lines' hops are one row longer.
   void round_hops(std::int64_t flown) {
-    const Lane far_below = static_cast<Lane>(plan_.hop_table[0] & 0xff);
+    const std::uint32_t rows_256 = plan_.hop_table[0];
+    const Lane far_below = static_cast<Lane>(rows_256 & 0xff);
     if (plan_.hop_by_height || far_below == 0) return;
     Lane* __restrict one_further = one_further_;
-    draws_.fill(one_further, hop_key(plan_.sweep_word, static_cast<std::uint32_t>(flown)));
+    draws_.fill(one_further, hop_key(plan_.sweep_word, static_cast<std::uint32_t>(flown), rows_256));
     // As hop_rows: one row more where the random byte carries the fraction over.
     const Lane near_below = static_cast<Lane>(256 - far_below);
     ERG_EACH(i, lanes_) one_further[i] = one_further[i] >= near_below ? static_cast<Lane>(~Lane{0}) : Lane{0};
@@ -102,15 +103,40 @@ class Flight {
     return static_cast<std::size_t>(flown & (plan_.ring_rows - 1)) * strip_lines;
   }
 
-  void launch_by_height(Row<Lane>& row, std::int64_t flown) {
+  /// Where hops are shorter than a row.
+  bool launch_short(Row<Lane>& row, std::int64_t flown) {
+    const Lane* __restrict one_further = one_further_;
+    const Lane* __restrict lifted = row.lifted;
+    Lane* __restrict landed = row.landed;
+    Lane* __restrict leaving = row.leaving;
+    Lane* __restrict ring = strip_.ring + ring_start(flown + 1);
+    ERG_EACH(i, lanes_) {
+      // At a wall nothing leaves any more.
+      const Lane back = static_cast<Lane>(leaving[i] != 0 ? lifted[i] & static_cast<Lane>(~one_further[i]) : 0);
+      landed[i] = static_cast<Lane>(landed[i] + back);
+      leaving[i] = static_cast<Lane>(leaving[i] - back);
+      ring[i] = static_cast<Lane>(ring[i] + leaving[i]);
+    }
+    expect(flown + 1);
+    return true;
+  }
+
+  bool launch_by_height(Row<Lane>& row, std::int64_t flown) {
     draws_.template fill_next<Draw::hop>(row);
+    bool some_back = false;
     std::uint32_t longest = 0;
     std::uint32_t fullest = 0;
     for (int first = 0; first < lanes_; first += 64) {
       for (std::uint64_t mask = lanes_above<0>(row.leaving + first); mask != 0; mask &= mask - 1) {
         const int lane = first + __builtin_ctzll(mask);
-        const std::uint32_t leaving = row.leaving[lane];
-        const std::uint32_t rows = hop_rows(plan_.hop_table[row.height[lane]], row.random[lane]);
+        std::uint32_t leaving = row.leaving[lane];
+        std::uint32_t rows = hop_rows(plan_.hop_table[row.height[lane]], row.random[lane]);
+        if (rows == 0) {
+          row.landed[lane] = static_cast<Lane>(row.landed[lane] + row.lifted[lane]);
+          leaving -= row.lifted[lane];
+          some_back = some_back || row.lifted[lane] != 0;
+          rows = rows_on(rows);
+        }
         Lane& there = strip_.ring[ring_start(flown + rows) + static_cast<std::size_t>(lane)];
         const std::uint32_t now = there + leaving;
         there = static_cast<Lane>(now);
@@ -120,6 +146,7 @@ class Flight {
     }
     if (sizeof(Lane) == 1 && fullest > narrow_arrivals) strip_.counts.crowded = true;
     expect(flown + longest);
+    return some_back;
   }
 
   void expect(std::int64_t row) {

@@ -194,7 +194,7 @@ bool edit_points(const char* id, std::vector<CurvePoint>& points, const std::vec
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(*removed));
     changed = true;
   }
-  ImGui::TextDisabled("double click adds a point, right click removes it");
+  explain("double click adds a point, right click removes it");
   if (reset_button(points == standard)) {
     points = standard;
     changed = true;

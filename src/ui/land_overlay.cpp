@@ -55,7 +55,8 @@ PicturePoint to_picture(ImVec2 pixel, const WindowPart& part) {
 }
 
 void draw_plate(ImVec2 low_left, const std::string& text, const ImVec4& colour) {
-  const Gui& gui = Gui::current();
+  Gui& gui = Gui::current();
+  gui.need(text);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const float pad = gui.px(6);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -120,7 +121,7 @@ void draw_wind_rose(const LandPart& land, const Camera& camera) {
   const float out = radius - 0.55f * letter;
   list.AddText({middle.x + out * north.x - 0.5f * size.x, middle.y + out * north.y - 0.5f * size.y},
                ImGui::GetColorU32(gui.theme().text), "N");
-  const double bearing = land.run->last_wind.bearing;
+  const double bearing = land.run->last_wind.mean_bearing();
   const ImVec2 way = on_screen(bearing + 180, camera);
   draw_arrow(middle, way, 1.15f * radius, ImGui::GetColorU32(gui.theme().accent));
 }

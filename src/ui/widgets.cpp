@@ -143,6 +143,7 @@ RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& 
 }  // namespace
 
 void mark(std::string_view name) {
+  Gui::current().need(name);
   const ImGuiLastItemData& item = ImGui::GetCurrentContext()->LastItemData;
   add_to_map(name, item.Rect.Min, item.Rect.Max, item.InFlags);
 }
@@ -164,6 +165,7 @@ WidgetScope::~WidgetScope() {
 void tooltip(std::string_view text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   if (ImGui::GetCurrentContext()->HoveredIdTimer < 0.4f && ImGui::GetItemID() != 0) return;
+  Gui::current().need(text);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(Gui::current().px(360));
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
@@ -191,6 +193,7 @@ bool section(const char* label, bool open_at_first) {
 void explain(std::string_view text) { say(text, Gui::current().theme().faint); }
 
 void say(std::string_view text, const ImVec4& colour) {
+  Gui::current().need(text);
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
@@ -290,6 +293,7 @@ RowEvent choice_row(const Row& row, std::string& value, std::span<const std::str
 
 RowEvent text_row(const Row& row, std::string& value) {
   begin_row(row);
+  Gui::current().need(value);
   const bool changed = ImGui::InputText("##value", &value);
   return end_row(row, changed ? RowEvent::changed : RowEvent::none);
 }
@@ -300,7 +304,7 @@ std::string parameter_tooltip(const Parameter& parameter) {
     if (!words.empty()) text += "\n" + name + ": " + words;
   };
   if (parameter.kind != ParameterKind::boolean && parameter.kind != ParameterKind::path) {
-    add("range", accepted_text(parameter) + (parameter.unit.empty() ? "" : " " + parameter.unit));
+    add("range", accepted_with_unit(parameter));
   }
   add("default", value_text(parameter.standard));
   add("source", parameter.source);

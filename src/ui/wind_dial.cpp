@@ -6,14 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "core/errors.h"
 #include "core/units.h"
 #include "ui/axis_ticks.h"
+#include "ui/typed_number.h"
 #include "ui/widgets.h"
 #include "wind/bearing.h"
+#include "wind/regime.h"
 
 namespace erg {
 namespace {
@@ -78,6 +81,19 @@ std::vector<ImVec2> wedge(ImVec2 middle, double bearing, double width, float rad
   return points;
 }
 
+/// Where a swinging wind comes from: from its first swing to its last. One wedge for each two neighbours, since a wide
+/// fan as a whole would not be convex.
+void draw_fan(ImVec2 middle, double bearing, double spread, float radius) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto swings = wind_swings(spread);
+  for (std::size_t k = 1; k < swings.size(); ++k) {
+    const double mean = bearing + (swings[k - 1] + swings[k]) / 2;
+    const std::vector<ImVec2> points = wedge(middle, mean, swings[k] - swings[k - 1], radius);
+    list.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()),
+                             ImGui::GetColorU32(ImGuiCol_CheckMark, 0.25f));
+  }
+}
+
 void draw_sectors(ImVec2 middle, std::span<const double> shares, double most, float radius, bool filled) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double width = 360.0 / static_cast<double>(std::max<std::size_t>(1, shares.size()));
@@ -102,16 +118,17 @@ void tell_sector(ImVec2 middle, std::span<const double> blown, std::span<const d
   const double bearing = degrees(std::atan2(mouse.x - middle.x, middle.y - mouse.y));
   const auto sector = static_cast<std::size_t>(fold_bearing(bearing + width / 2) / width) % sectors;
   const auto share = [&](std::span<const double> shares) {
-    return sector < shares.size() ? figure_text(100 * shares[sector], 3) + " %" : std::string("-");
+    const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+    return sector < shares.size() && all > 0 ? figure_text(100 * shares[sector] / all, 3) + " %" : std::string("-");
   };
-  ImGui::SetTooltip("from %s\nhas blown %s of the time\nwill blow %s of the time",
+  ImGui::SetTooltip("from %s\n%s of what has blown\n%s of what will blow\n(strength times steps)",
                     compass_name(width * static_cast<double>(sector)).c_str(), share(blown).c_str(),
                     share(coming).c_str());
 }
 
 }  // namespace
 
-bool wind_dial(const char* id, double& bearing, float size) {
+bool wind_dial(const char* id, double& bearing, float size, double spread) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 middle{corner.x + size / 2, corner.y + size / 2};
   const float letter = ImGui::GetTextLineHeight();
@@ -128,6 +145,7 @@ bool wind_dial(const char* id, double& bearing, float size) {
   }
   draw_compass(middle, radius);
   draw_letters(middle, radius + letter / 2 + 8);  // beyond the hand's grip
+  if (spread > 0) draw_fan(middle, bearing, spread, radius);
   draw_hand(middle, bearing, radius, active || hovered);
   if (!active) tooltip("Drag to where the wind blows from; with Shift to a point of the compass.");
   return changed;
@@ -143,7 +161,7 @@ bool type_bearing(const char* id, double& bearing) {
   tooltip("Where the wind blows from: degrees clockwise from north, or a point of the compass such as W or NNE.");
   if (edited) {
     try {
-      bearing = parse_bearing(text, "bearing");
+      bearing = parse_bearing(as_pasted_number(text), "bearing");
     } catch (const InputError& error) {
       ImGui::SetTooltip("%s", error.mistakes().front().remedy.c_str());
     }

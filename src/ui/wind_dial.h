@@ -6,8 +6,9 @@
 namespace erg {
 
 /// A dial of `size` pixels whose hand stands where the wind blows FROM; the arrow in it shows where it blows to. Drag
-/// anywhere on it (with Shift it snaps to the 16 points of the compass). True when the bearing changed.
-bool wind_dial(const char* id, double& bearing, float size);
+/// anywhere on it (with Shift it snaps to the 16 points of the compass). A fan reaches over the swings of a wind with
+/// this `spread` (degrees). True when the bearing changed.
+bool wind_dial(const char* id, double& bearing, float size, double spread = 0);
 
 /// A bearing to be typed: degrees or a point of the compass, with the nearest point shown beside. What cannot be read
 /// is refused with a tooltip and the bearing stays. True when the bearing changed.

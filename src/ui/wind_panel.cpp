@@ -34,6 +34,8 @@ void put_in_place(WindEditor wind, const std::vector<Season>& seasons) {
     wind.set_steps(index, season.steps);
     wind.set_curve(index, season.curve);
     wind.set_snowfall(index, season.snowfall);
+    wind.set_spread(index, season.spread);
+    wind.set_hold(index, season.hold);
   }
 }
 
@@ -50,6 +52,7 @@ class WindPanel final : public Panel {
   void draw_list_buttons(WindEditor wind);
   void draw_bearing(WindEditor wind);
   void draw_strengths(WindEditor wind, const std::string& strength_label);
+  void draw_swing(WindEditor wind) const;
   void draw_snowfall(WindEditor wind) const;
   void draw_curve(WindEditor wind, const Studio& studio, const std::string& strength_label);
   void draw_cycle(const WindEditor& wind, std::int64_t step, const std::string& strength_label) const;
@@ -143,7 +146,7 @@ void WindPanel::draw_list_buttons(WindEditor wind) {
 void WindPanel::draw_bearing(WindEditor wind) {
   const Gui& gui = Gui::current();
   double bearing = wind.season(selected_).bearing;
-  bool changed = wind_dial("dial", bearing, gui.px(132));
+  bool changed = wind_dial("dial", bearing, gui.px(132), wind.season(selected_).spread);
   ImGui::SameLine();
   ImGui::BeginGroup();
   ImGui::Dummy({1, gui.px(24)});
@@ -180,6 +183,27 @@ void WindPanel::draw_strengths(WindEditor wind, const std::string& strength_labe
       integer_row({.label = "length", .unit = "steps", .tooltip = parameter_tooltip(declared)}, steps,
                   static_cast<std::int64_t>(declared.minimum), static_cast<std::int64_t>(declared.maximum));
   if (steps_event == RowEvent::changed) wind.set_steps(selected_, steps);
+}
+
+void WindPanel::draw_swing(WindEditor wind) const {
+  const Season& season = wind.season(selected_);
+  const Season& standard = wind.standard();
+  const auto row = [](const Parameter& declared, bool changed) {
+    return Row{
+        .label = declared.label, .unit = declared.unit, .tooltip = parameter_tooltip(declared), .changed = changed};
+  };
+  const Parameter spread_declared = season_spread_parameter();
+  double spread = season.spread;
+  const RowEvent event = real_row(row(spread_declared, spread != standard.spread), spread, spread_declared.minimum,
+                                  spread_declared.maximum);
+  if (event != RowEvent::none) wind.set_spread(selected_, event == RowEvent::reset ? standard.spread : spread);
+  if (season.spread <= 0) return;
+  const Parameter hold_declared = season_hold_parameter();
+  std::int64_t hold = season.hold;
+  const RowEvent hold_event =
+      integer_row(row(hold_declared, hold != standard.hold), hold, static_cast<std::int64_t>(hold_declared.minimum),
+                  static_cast<std::int64_t>(hold_declared.maximum));
+  if (hold_event != RowEvent::none) wind.set_hold(selected_, hold_event == RowEvent::reset ? standard.hold : hold);
 }
 
 void WindPanel::draw_snowfall(WindEditor wind) const {
@@ -240,8 +264,9 @@ void WindPanel::draw_rose(const WindEditor& wind, const Studio& studio) {
   const std::int64_t now = studio.now().step();
   std::int64_t end = now + wind.regime().cycle();
   if (studio.now().has_runs()) end = std::max(end, studio.now().runs.front().config->run.integer("steps"));
-  const WindRose rose = wind_rose(wind.regime(), now, end);
-  draw_wind_rose("rose", rose.blown, rose.to_blow, gui.px(150));
+  const WindRose rose = wind_rose(wind.regime(), now, end, WindRecord::sectors);
+  // What has blown is what was recorded: the seasons may be set to anything else by now.
+  draw_wind_rose("rose", studio.now().blown.sums, rose.to_blow, gui.px(150));
   ImGui::SameLine();
   ImGui::BeginGroup();
   ImGui::Dummy({1, gui.px(40)});
@@ -275,6 +300,7 @@ void WindPanel::draw(Desk& desk) {
   }
   draw_bearing(wind);
   draw_strengths(wind, strength_label);
+  draw_swing(wind);
   if (studio.comparison().asks_snowfall()) draw_snowfall(wind);
   if (shows_seasons(wind)) {
     draw_curve(wind, studio, strength_label);

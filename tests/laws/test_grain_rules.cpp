@@ -138,6 +138,19 @@ TEST(Grains, HopsAreShorterUphillAndLongerOverACrest) {
   EXPECT_LT(way(0, 0.8f, 18.5f), 4) << "against the foot of a steep slope";
 }
 
+TEST(Grains, ReptationIsLinearInTheFrictionVelocity) {
+  const ParameterValues values = grain_values({{"reptation", 0.01}, {"reptation_wind", 0.5}});
+  const double threshold = lifting_threshold(values, 0.25e-3);
+  EXPECT_DOUBLE_EQ(reptation(values, threshold), 0.01);
+  EXPECT_DOUBLE_EQ(reptation(values, 2 * threshold), 0.015);
+  EXPECT_DOUBLE_EQ(reptation(values, 3 * threshold), 0.02);
+  EXPECT_DOUBLE_EQ(reptation(values, 0.5 * threshold), 0.01) << "no shorter than at the threshold";
+  EXPECT_DOUBLE_EQ(reptation(values, 50 * threshold), reptation(values, 10 * threshold));
+  EXPECT_DOUBLE_EQ(reptation(grain_values({{"reptation_wind", 0.0}}), 3 * threshold), 0.0075) << "as long in any wind";
+  const ParameterValues light = grain_values({{"threshold_coefficient", 0.0}});
+  EXPECT_DOUBLE_EQ(reptation(light, 0.3), 0.0075 * (1 + 0.7 * 9)) << "finite where the threshold is nothing";
+}
+
 TEST(Grains, APlantSheltersWhatLiesBehindAndNothingElse) {
   const ParameterValues values = grain_values({{"plant_height", 0.02}});  // a wake of 20 cells
   Terrain terrain({40, 40}, 0.01, 0.25e-3, Boundary::torus);

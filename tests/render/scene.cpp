@@ -4,13 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
+#include "io/png_reader.h"
 
 namespace erg::test {
 
@@ -37,12 +31,14 @@ Difference difference(const RgbImage& first, const RgbImage& second) {
 }
 
 RgbImage read_picture(const std::filesystem::path& path) {
+  PngReader png(path);
+  if (png.channels() != 3) throw std::runtime_error("no picture in colours: " + path.string());
   RgbImage image;
-  int channels = 0;
-  unsigned char* const pixels = stbi_load(path.c_str(), &image.width, &image.height, &channels, 3);
-  if (pixels == nullptr) throw std::runtime_error("no picture " + path.string());
-  image.pixels.assign(pixels, pixels + 3 * static_cast<std::ptrdiff_t>(image.width) * image.height);
-  stbi_image_free(pixels);
+  image.width = png.width();
+  image.height = png.height();
+  png.read_rows([&](int, std::span<const std::uint16_t> samples) {
+    for (const std::uint16_t sample : samples) image.pixels.push_back(static_cast<unsigned char>(sample >> 8));
+  });
   return image;
 }
 

@@ -34,6 +34,13 @@ TEST(WindDial, ShiftSnapsToPointsOfTheCompass) {
   EXPECT_DOUBLE_EQ(dial.bearing, 45);
 }
 
+TEST(WindDial, TheFanOfASpreadDoesNotChangeWhatADragMeans) {
+  double bearing = 270;
+  UiHarness hand = in_a_column([&] { wind_dial("dial", bearing, 140, 60); });
+  hand.drag("dial", {0.1f, 0.5f}, {0.5f, 0.05f});
+  EXPECT_DOUBLE_EQ(bearing, 0);
+}
+
 TEST(WindDial, BearingsAreTypedInDegreesOrByName) {
   DialHand dial;
   dial.hand.enter("bearing", "123.5");

@@ -20,6 +20,7 @@ Config small_config() {
   config.title = "Zwölf Dünen";
   config.grid.set("nx", std::int64_t{9});
   config.grid.set("ny", std::int64_t{7});
+  config.grid.set("boundary", std::string("open"));
   config.run.set("seed", std::int64_t{42});
   return config;
 }

@@ -79,7 +79,8 @@ TEST(Config, SetsValuesFromText) {
   EXPECT_EQ(config.run.integer("steps"), 20);
   EXPECT_EQ(config.grid.text("boundary"), "open");
   EXPECT_EQ(config.parameters.real("p_sand"), 0.5);
-  EXPECT_EQ(config.wind, Regime::constant(225, 7.5));
+  EXPECT_EQ(config.wind.seasons,
+            (std::vector<Season>{{.bearing = 225, .first = 7.5, .last = 7.5, .curve = {}, .spread = natural_spread}}));
   EXPECT_EQ(config.title, "a = b");
   EXPECT_EQ(config.run.integer("sweeps"), 8);
 }
@@ -105,9 +106,24 @@ TEST(Config, AnotherModelStartsWithItsOwnCellsWindAndSand) {
   EXPECT_TRUE(config.grid.is_default("cell_size"));
   set_from_text(config, "wind.strength=8");
   set_from_text(config, "model=momiji");
-  EXPECT_EQ(config.wind, Regime::constant(270, 8)) << "what was set stays";
+  EXPECT_EQ(config.wind.seasons, (std::vector<Season>{{.first = 8, .last = 8, .curve = {}, .spread = natural_spread}}))
+      << "what was set stays, what was not is the new model's";
   EXPECT_EQ(config.scene.real("sand"), 50);
   EXPECT_EQ(config.grid.real("cell_size"), 1);
+}
+
+TEST(Config, ASpreadIsTheModelsOwnUntilItIsSet) {
+  Config config("momiji");
+  config.wind.seasons.resize(2, config.wind.seasons.front());
+  change_model(config, "grains");
+  for (const Season& season : config.wind.seasons) EXPECT_EQ(season.spread, 0);
+  set_from_text(config, "wind.spread=25");
+  set_from_text(config, "wind.hold=7");
+  change_model(config, "momiji");
+  for (const Season& season : config.wind.seasons) {
+    EXPECT_EQ(season.spread, 25);
+    EXPECT_EQ(season.hold, 7);
+  }
 }
 
 /// What is said against the text of a config.
@@ -136,7 +152,7 @@ TEST(Config, WeatherThatTheModelDoesNotAskForIsRefusedAndNotWritten) {
 }
 
 TEST(Config, MistakesInAssignmentsTeach) {
-  EXPECT_EQ(set_message("grid.nx=0"), "--set grid.nx=0: nx is 0; expected a whole number, 1 to 16384");
+  EXPECT_EQ(set_message("grid.nx=0"), "--set grid.nx=0: nx is 0; expected a whole number, 1 to 16384 cells");
   EXPECT_EQ(set_message("stepps=3"), "--set stepps=3: unknown key \"stepps\"; did you mean \"steps\"?");
   EXPECT_EQ(set_message("run.stepps=3"), "--set run.stepps=3: unknown key \"run.stepps\"; did you mean \"run.steps\"?");
   EXPECT_EQ(set_message("boundary=opne"), "--set boundary=opne: unknown boundary \"opne\"; did you mean \"open\"?");

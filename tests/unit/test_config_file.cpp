@@ -64,6 +64,8 @@ Config random_config(std::mt19937& random) {
     season.first = 0.1 + 10 * unit();
     season.last = below(2) == 0 ? season.first : 0.1 + 10 * unit();
     season.steps = static_cast<std::int64_t>(1 + below(100));
+    season.spread = below(2) == 0 ? 0 : 60 * unit();
+    season.hold = static_cast<std::int64_t>(1 + below(9));
     if (below(2) == 0) season.curve = {{unit(), unit()}, {unit(), unit()}};
   }
   return config;
@@ -111,16 +113,31 @@ TEST_F(ConfigFile, ReadsEverything) {
   EXPECT_EQ(config.run.integer("seed"), std::int64_t{1} << 53);
   EXPECT_EQ(config.run.integer("sweeps"), 8);
   ASSERT_EQ(config.wind.seasons.size(), 2u);
-  EXPECT_EQ(config.wind.seasons[0], (Season{45, 5, 8, 80, {{0.3, 0.1}, {0.7, 0.9}}}));
-  EXPECT_EQ(config.wind.seasons[1], (Season{270, 3, 3, 2, {}}));
+  EXPECT_EQ(config.wind.seasons[0], (Season{45, 5, 8, 80, {{0.3, 0.1}, {0.7, 0.9}}, 0, natural_spread}));
+  EXPECT_EQ(config.wind.seasons[1], (Season{270, 3, 3, 2, {}, 0, natural_spread}));
 }
 
 TEST_F(ConfigFile, OneEndOfTheStrengthStandsForBoth) {
   const Config config =
       parse_config(R"({"erg": 1, "model": "momiji", "wind": {"seasons": [{"first": 7}, {"last": 8}, {}]}})", "a.json");
-  EXPECT_EQ(config.wind.seasons[0], (Season{270, 7, 7, 1, {}}));
-  EXPECT_EQ(config.wind.seasons[1], (Season{270, 8, 8, 1, {}}));
-  EXPECT_EQ(config.wind.seasons[2], Season{});
+  const std::vector<Season>& seasons = config.wind.seasons;
+  EXPECT_EQ(std::pair(seasons[0].first, seasons[0].last), std::pair(7.0, 7.0));
+  EXPECT_EQ(std::pair(seasons[1].first, seasons[1].last), std::pair(8.0, 8.0));
+  EXPECT_EQ(seasons[2], Config("momiji").wind.seasons.front());
+}
+
+TEST_F(ConfigFile, ASpreadStandsBesideAConstantWindOrInASeason) {
+  const Config constant =
+      parse_config(R"({"erg": 1, "model": "grains", "wind": {"bearing": "N", "spread": 25, "hold": 9}})", "a.json");
+  EXPECT_EQ(constant.wind.seasons,
+            (std::vector<Season>{{.bearing = 0, .first = 10, .last = 10, .curve = {}, .spread = 25, .hold = 9}}));
+  const Config seasons =
+      parse_config(R"({"erg": 1, "model": "momiji", "wind": {"seasons": [{"spread": 0}, {"hold": 2}]}})", "a.json");
+  EXPECT_EQ(seasons.wind.seasons,
+            (std::vector<Season>{{.curve = {}, .spread = 0}, {.curve = {}, .spread = natural_spread, .hold = 2}}));
+  EXPECT_EQ(mistakes(R"({"erg": 1, "model": "momiji", "wind": {"spread": -1, "hold": 0.5}})"),
+            "a.json:1: spread is -1; expected 0 to 60 deg\n"
+            "a.json:1: hold is 0.5; expected a whole number, 1 to 1000000000 steps");
 }
 
 TEST_F(ConfigFile, ReportsEveryMistakeAtOnceWhereItStands) {
@@ -146,8 +163,8 @@ TEST_F(ConfigFile, ReportsEveryMistakeAtOnceWhereItStands) {
             "a.json:2: erg is 2; this program reads version 1 of the format\n"
             "a.json:3: unknown key \"titel\"; did you mean \"title\"?\n"
             "a.json:4: unknown model \"momji\"; did you mean \"momiji\"?\n"
-            "a.json:6: nx is 0; expected a whole number, 1 to 16384\n"
-            "a.json:7: ny is \"many\"; expected a whole number, 1 to 16384\n"
+            "a.json:6: nx is 0; expected a whole number, 1 to 16384 cells\n"
+            "a.json:7: ny is \"many\"; expected a whole number, 1 to 16384 cells\n"
             "a.json:8: duplicate key \"nx\"; it stands on line 6 already; keep one of the two\n"
             "a.json:9: unknown boundary \"toruss\"; did you mean \"torus\"?\n"
             "a.json:10: unknown key \"steps\"; it belongs in \"run\"\n"
@@ -216,7 +233,7 @@ TEST_F(ConfigFile, SyntaxErrorsHaveLineAndColumn) {
 TEST_F(ConfigFile, MistakesBeforeASyntaxErrorAreReportedToo) {
   EXPECT_EQ(mistakes("{\"erg\": 1,\n\"modle\": 3,\n\"grid\": {\"nx\": 0, \"ny\": }"),
             "a.json:2: unknown key \"modle\"; did you mean \"model\"?\n"
-            "a.json:3: nx is 0; expected a whole number, 1 to 16384\n"
+            "a.json:3: nx is 0; expected a whole number, 1 to 16384 cells\n"
             "a.json:3:25: syntax error: unexpected '}'; expected '[', '{', or a literal");
 }
 
@@ -245,12 +262,12 @@ TEST_F(ConfigFile, HugeNonsenseIsRefusedInAFewWords) {
   EXPECT_EQ(mistakes("{\"erg\": 1, \"model\": \"nield_baas\", \"parameters\": {\"grass_growth\": [" +
                      many("[1,2]", 10'000) + "]}}"),
             "a.json:1: grass_growth is 10000 vertices; expected 2 to 64 vertices x:y, x growing (balance, m/yr, -10 to "
-            "10), y -10 to 10");
+            "10), y -10 to 10 1/yr");
 }
 
 TEST_F(ConfigFile, AFileWithoutEndIsRefused) {
   EXPECT_EQ(message([] { read_config("/dev/zero"); }),
-            "/dev/zero: this file is too large; give a text of at most 1 MiB; is it the right one?");
+            "/dev/zero: this file is too large; give a text of at most 16 MiB; is it the right one?");
 }
 
 TEST_F(ConfigFile, RoundTripsWithoutChange) {
@@ -334,9 +351,10 @@ TEST_F(ConfigFile, AMissingPictureIsReportedAtItsLine) {
   const std::string start = "{\"erg\": 1, \"model\": \"momiji\",\n\"scene\": {\"kind\": \"image\",\n\"image\": ";
   const fs::path path = put("a.json", start + "\"grond.png\", \"sand\": -1}}");
   put("ground.png", "");
-  EXPECT_EQ(message([&] { read_config(path); }),
-            path.string() + ":3: sand is -1; expected 0 to 10000\n" + path.string() + ":3: there is no picture \"" +
-                (folder_ / "grond.png").string() + "\"; did you mean \"" + (folder_ / "ground.png").string() + "\"?");
+  EXPECT_EQ(message([&] { read_config(path); }), path.string() + ":3: sand is -1; expected 0 to 10000 slabs\n" +
+                                                     path.string() + ":3: there is no picture \"" +
+                                                     (folder_ / "grond.png").string() + "\"; did you mean \"" +
+                                                     (folder_ / "ground.png").string() + "\"?");
   EXPECT_EQ(mistakes("{\"erg\": 1, \"model\": \"momiji\",\n\"scene\": {\"kind\": \"image\"}}"),
             "a.json:2: kind \"image\" needs a picture; add \"image\": \"picture.png\" beside it");
 }

@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "io/png.h"
+#include "io/png_reader.h"
 #include "temporary_folder.h"
 
 namespace erg {

@@ -9,6 +9,7 @@
 #include "core/label.h"
 #include "core/marks.h"
 #include "io/legend.h"
+#include "io/png_reader.h"
 #include "temporary_folder.h"
 
 namespace erg {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace erg {
 namespace {
 
@@ -66,6 +68,77 @@ TEST(Regime, AConstantStrengthIsKeptToTheBit) {
   steady.curve = {{0.9, 0.2}, {0.3, 0.8}};
   const Regime wind{{steady}};
   for (int step = 0; step < 7; ++step) EXPECT_EQ(wind.at(step).strength, 0.1);
+}
+
+Season swinging(double bearing, double spread, std::int64_t steps, std::int64_t hold) {
+  Season one = season(bearing, 5, 5, steps);
+  one.spread = spread;
+  one.hold = hold;
+  return one;
+}
+
+TEST(Spread, EverySixteenDrawsHaveTheMeanBearingAndTheSpread) {
+  for (const double spread : {0.5, 10.0, 60.0}) {
+    for (const std::uint64_t seed : {0u, 7u}) {
+      const Regime wind{{swinging(350, spread, 1, 4)}};
+      for (int round = 0; round < 5; ++round) {
+        double sum = 0;
+        double squares = 0;
+        for (std::int64_t step = 64 * round; step < 64 * (round + 1); ++step) {
+          const WindNow now = wind.at(step, seed);
+          EXPECT_EQ(now.swing, wind.at(step - step % 4, seed).swing) << "holds for four steps";
+          EXPECT_EQ(now.mean_bearing(), 350);
+          EXPECT_EQ(now.bearing, fold_bearing(350 + now.swing));
+          sum += now.swing;
+          squares += now.swing * now.swing;
+        }
+        EXPECT_EQ(sum, 0) << spread << ", round " << round;
+        EXPECT_NEAR(std::sqrt(squares / 64), spread, 1e-4 * spread);
+      }
+    }
+  }
+}
+
+TEST(Spread, DrawsOfASeasonGoOnWhereItReturns) {
+  // Three steps a cycle: 16 draws of 4 steps take 64 steps of each season, of which the first has 3 of 5.
+  const Regime wind{{swinging(210, 10, 3, 4), swinging(330, 10, 2, 4)}};
+  double sums[2] = {0, 0};
+  int steps[2] = {0, 0};
+  for (std::int64_t step = 0; step < 5 * 64; ++step) {
+    const int season = step % 5 < 3 ? 0 : 1;
+    sums[season] += wind.at(step, 3).swing;
+    ++steps[season];
+  }
+  EXPECT_EQ(steps[0], 3 * 64);
+  EXPECT_EQ(steps[1], 2 * 64);
+  EXPECT_EQ(sums[0], 0);
+  EXPECT_EQ(sums[1], 0);
+  EXPECT_NE(wind.at(0, 3).swing, wind.at(3, 3).swing) << "seasons draw for themselves";
+}
+
+TEST(Spread, DrawsDifferBetweenSeedsAndRounds) {
+  const Regime wind{{swinging(270, 10, 1, 1)}};
+  const auto draws = [&](std::uint64_t seed, std::int64_t first) {
+    std::vector<double> swings;
+    for (std::int64_t step = first; step < first + 16; ++step) swings.push_back(wind.at(step, seed).swing);
+    return swings;
+  };
+  EXPECT_NE(draws(1, 0), draws(2, 0));
+  EXPECT_NE(draws(1, 0), draws(1, 16));
+  EXPECT_EQ(draws(1, 16), draws(1, 16));
+}
+
+TEST(Spread, WithoutItAndWithoutASeedTheWindBlowsFromItsBearing) {
+  EXPECT_EQ((Regime{{swinging(270, 0, 1, 4)}}.at(9, 5)), (WindNow{270, 5}));
+  EXPECT_EQ((Regime{{swinging(270, 10, 1, 4)}}.at(9)), (WindNow{270, 5}));
+}
+
+TEST(Spread, ATurnedWindSwingsAlikeToTheBit) {
+  for (std::int64_t step = 0; step < 64; ++step) {
+    const WindNow west = Regime{{swinging(270, 13.7, 1, 1)}}.at(step, 5);
+    const WindNow north = Regime{{swinging(0, 13.7, 1, 1)}}.at(step, 5);
+    EXPECT_EQ(fold_bearing(west.bearing + 90), north.bearing);
+  }
 }
 
 }  // namespace

@@ -107,6 +107,7 @@ TEST(Window, DrawsTheLandAsTheOffscreenContextsDo) {
 
   const std::filesystem::path view = folder / "config" / "erg" / "views" / "view 1.json";
   for (const std::string context : {"osmesa", "egl"}) {
+    if (context == "osmesa" && !has_osmesa()) continue;
     const std::filesystem::path file = folder / (context + ".png");
     const std::string command = std::string("'") + ERG_PROGRAM + "' render '" + config + "' --steps 40 --camera '" +
                                 view.string() + "' --copies 0 --size 320x200 --quiet --context " + context +
