@@ -159,9 +159,9 @@ Dune measure_dune(const std::vector<PatchCell>& cells, const Terrain& terrain, c
 }  // namespace
 
 DuneRule DuneRule::usual(const Terrain& terrain) {
+  check_whole(terrain);
   const auto cells = terrain.mobile().cells();
   DuneRule rule;
-  if (cells.empty()) return rule;
   std::vector<std::int32_t> sorted(cells.begin(), cells.end());
   const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 10);
   std::nth_element(sorted.begin(), tenth, sorted.end());
@@ -172,6 +172,7 @@ DuneRule DuneRule::usual(const Terrain& terrain) {
 }
 
 DuneOutlines find_dunes(const Terrain& terrain, double bearing, const DuneRule& rule) {
+  check_whole(terrain);
   // Cells without sand over the base belong to no dune, whatever the rule says.
   const SandPatches patches = find_patches(terrain, std::max(rule.least, rule.base + 1), rule.smallest);
   DuneOutlines outlines{rule, {}, patches.endless, patches.cut};

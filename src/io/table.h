@@ -12,6 +12,10 @@
 
 namespace erg {
 
+/// A whole table as text: what write_table writes.
+std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
+                       const Provenance& provenance);
+
 /// Writes a whole table at once: comment lines (#) with the provenance, one header, then rows, each with as many values
 /// as there are columns. Numbers are in the shortest form that reads back exactly; not-a-number stays empty. Throws
 /// WriteError; an older file is then untouched.

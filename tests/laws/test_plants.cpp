@@ -112,7 +112,6 @@ TEST(Plants, HoldSteeperSlopes) {
 }
 
 /// Patches of at least 30 cells whose sand is `least` slabs thick or more, at the end of runs with seeds 1 to `seeds`.
-/// Of dunes with sand of at least `least` slabs.
 DuneMeans dunes_grown(const std::vector<std::string>& settings, int steps, int least, int seeds) {
   std::vector<Dune> dunes;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -121,7 +120,7 @@ DuneMeans dunes_grown(const std::vector<std::string>& settings, int steps, int l
     Simulation simulation(config);
     for (int step = 0; step < steps; ++step) simulation.step();
     const std::vector<Dune> found =
-        find_dunes(simulation.terrain(), simulation.last_wind().bearing, {.base = 0, .least = least}).dunes;
+        find_dunes(simulation.terrain(), simulation.last_wind().mean_bearing(), {.base = 0, .least = least}).dunes;
     dunes.insert(dunes.end(), found.begin(), found.end());
   }
   return mean_of_dunes(dunes);

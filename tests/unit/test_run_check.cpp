@@ -204,6 +204,7 @@ TEST(LibraryUse, NothingIsMeasuredOrWrittenOfATerrainWithoutCells) {
     EXPECT_THROW(measure_bedforms(terrain, 270), InputError);
     EXPECT_THROW(find_dunes(terrain, 270), InputError);
     EXPECT_THROW(find_stars(terrain, 3), InputError);
+    EXPECT_THROW(find_dunes(terrain, 270, DuneRule{}), InputError);
     EXPECT_THROW(coarse_surface(terrain, Layer::surface), InputError);
     EXPECT_THROW(write_heightmap(folder / "a.png", terrain, {}), InputError);
     EXPECT_THROW(write_obj(folder / "a.obj", terrain, {}), InputError);
