@@ -177,8 +177,8 @@ std::string crests_under_two_winds(const ValidationOptions& options) {
   const CrestScene momiji{"momiji", 192, 500};
   std::string text =
       "### Crests under two winds\n\nCrests should lie where the winds together carry most sand across them, |q1 sin "
-      "a1| "
-      "+ |q2 sin a2| (Rubin & Hunter 1987: g 0), or where a bedform grows fastest if a crest speeds the wind up, the "
+      "a1| + |q2 sin a2| (Rubin & Hunter 1987: g 0), or where a bedform grows fastest if a crest speeds the wind up, "
+      "the "
       "sum of q |sin a| (1 + g |sin a|) with g 1.6 (Courrech du Pont et al. 2014; Gao et al. 2015). Both winds of the "
       "default strength, the first blows *ratio* times as long as the second, whose seasons last as many steps as the "
       "heading says; 10 slabs of sand a cell, " +
