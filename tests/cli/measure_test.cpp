@@ -12,7 +12,7 @@ namespace {
 /// A heap of sand that becomes a barchan, in a wind from the west-north-west.
 const std::string heap = R"({
   "erg": 1, "model": "momiji", "grid": {"nx": 128, "ny": 96},
-  "scene": {"kind": "cone", "sand": 0, "height": 8, "radius": 20}, "wind": {"bearing": 285, "strength": 5},
+  "scene": {"kind": "cone", "sand": 0, "height": 8, "radius": 20}, "wind": {"bearing": 285, "strength": 5, "spread": 0},
   "run": {"steps": 100, "executor": "cpu", "threads": 1}
 })";
 
