@@ -34,7 +34,7 @@ Terrain heap(double bearing, GridPoint middle, const std::function<double(double
   return terrain;
 }
 
-double cone(double along, double left) { return 10 - 0.5 * std::hypot(along, left); }
+double cone_at(double along, double left) { return 10 - 0.5 * std::hypot(along, left); }
 
 /// Two bars that point downwind, the left one `ratio` times as high as the right one, before a cross bar.
 std::function<double(double, double)> horned(double ratio) {
@@ -47,7 +47,7 @@ std::function<double(double, double)> horned(double ratio) {
 
 TEST(DuneMap, TheMiddleOfSandIsFoundAcrossTheEdge) {
   for (const GridPoint middle : {GridPoint{64, 64}, {3, 125}, {0.5, 70.25}}) {
-    const auto centre = sand_centre(heap(270, middle, cone));
+    const auto centre = sand_centre(heap(270, middle, cone_at));
     ASSERT_TRUE(centre.has_value());
     EXPECT_NEAR(std::remainder(centre->x - middle.x, side), 0, 0.05);
     EXPECT_NEAR(std::remainder(centre->y - middle.y, side), 0, 0.05);
@@ -73,7 +73,7 @@ TEST(DuneMap, TurnsADuneIntoTheWindAndKeepsItsSand) {
 }
 
 TEST(DuneMap, AsymmetryIsTheShareOfSandThatTheOtherSideLacks) {
-  EXPECT_LT(asymmetry(dune_map(heap(285, {64, 64}, cone), 285, 40)), 0.01);
+  EXPECT_LT(asymmetry(dune_map(heap(285, {64, 64}, cone_at), 285, 40)), 0.01);
   // The heap's middle moves to the heavier horn; about the axis of the bars left and right would differ by 1/13 of it.
   EXPECT_GT(asymmetry(dune_map(heap(285, {64, 64}, horned(3)), 285, 40)), 0.08);
 }
@@ -85,12 +85,12 @@ TEST(DuneMap, HornsAreMeasuredBehindTheFoot) {
     EXPECT_NEAR(horns.left_length, 15, 2) << bearing;
     EXPECT_NEAR(horns.right_length, 15, 2) << bearing;
   }
-  const HornVolumes none = find_horns(dune_map(heap(270, {64, 64}, cone), 270, 40), 0.5);
+  const HornVolumes none = find_horns(dune_map(heap(270, {64, 64}, cone_at), 270, 40), 0.5);
   EXPECT_EQ(none.left + none.right, 0);
 }
 
 TEST(DuneMap, MeanMapsAreMeansOfTheirPoints) {
-  const DuneMap one = dune_map(heap(270, {64, 64}, cone), 270, 30);
+  const DuneMap one = dune_map(heap(270, {64, 64}, cone_at), 270, 30);
   DuneMap twice = one;
   for (double& height : twice.height.cells()) height *= 3;
   const std::vector<DuneMap> both{one, twice};
