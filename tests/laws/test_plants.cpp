@@ -153,10 +153,20 @@ TEST(Plants, TurnNebkhasIntoParabolicDunesWithArmsUpwind) {
 /// A plain of grass and shrub with three bare patches after `steps`, or the same plain without plants.
 Simulation blown_out(int side, const std::string& grass, const std::string& shrub, int steps, bool planted = true) {
   const std::string cells = std::to_string(side);
-  Simulation simulation(plants(
-      {"grid.nx=" + cells, "grid.ny=" + cells, "scene.sand=20", "wind.strength=1", "parameters.polling=repeated",
-       "parameters.lift_in_shadow=true", "parameters.vegetation=blowouts", "parameters.grass_start=" + grass,
-       "parameters.mesquite=false", "parameters.shrub=true", "parameters.shrub_start=" + shrub, "run.executor=cpu"}));
+  std::vector<std::string> settings{"grid.nx=" + cells,
+                                    "grid.ny=" + cells,
+                                    "scene.sand=20",
+                                    "wind.strength=1",
+                                    "parameters.polling=repeated",
+                                    "parameters.lift_in_shadow=true",
+                                    "parameters.vegetation=blowouts",
+                                    "parameters.grass_start=" + grass,
+                                    "parameters.mesquite=false",
+                                    "parameters.shrub=true",
+                                    "parameters.shrub_start=" + shrub,
+                                    "run.executor=cpu"};
+  if (!planted) settings.insert(settings.end(), {"parameters.grass=false", "parameters.shrub=false"});
+  Simulation simulation(plants(settings));
   for (int step = 0; step < steps; ++step) simulation.step();
   return simulation;
 }
