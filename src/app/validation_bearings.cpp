@@ -24,7 +24,7 @@ double signed_angle(double angle) { return std::remainder(angle, 360.0); }
 
 // --- one barchan ---
 
-struct BarchanScene {
+struct BarchanLook {
   std::string model;
   std::string executor;
   double spread;
@@ -36,7 +36,7 @@ struct BarchanRun {
   GridPoint velocity;  ///< cells a step
 };
 
-BarchanRun grow_barchan(const BarchanScene& scene, int steps, int seed) {
+BarchanRun grow_barchan(const BarchanLook& scene, int steps, int seed) {
   Config config(scene.model);
   for (const std::string& setting :
        {std::string("scene.kind=cone"), std::string("scene.sand=0"), std::string("scene.height=12"),
@@ -75,7 +75,7 @@ BarchanAt barchan_at(double bearing, const std::vector<BarchanRun>& runs) {
   GridPoint velocity;
   for (const BarchanRun& run : runs) {
     maps.push_back(run.map);
-    const Horns horns = find_horns(run.map, least_sand);
+    const HornVolumes horns = find_horns(run.map, least_sand);
     logs += std::log((horns.left + 1) / (horns.right + 1));  // a hornless dune has a ratio too
     velocity.x += run.velocity.x / static_cast<double>(runs.size());
     velocity.y += run.velocity.y / static_cast<double>(runs.size());
@@ -86,13 +86,13 @@ BarchanAt barchan_at(double bearing, const std::vector<BarchanRun>& runs) {
 
 double height_of(const DuneMap& map) { return *std::ranges::max_element(map.height.cells()); }
 
-void add_barchan_rows(TextTable& table, const BarchanScene& scene, const std::vector<double>& bearings, int steps,
+void add_barchan_rows(TextTable& table, const BarchanLook& scene, const std::vector<double>& bearings, int steps,
                       int seeds) {
   const int jobs = static_cast<int>(bearings.size()) * seeds;
   say_measuring("one barchan, " + scene.model + ", " + scene.executor + ", spread " + fixed_text(scene.spread, 0),
                 jobs);
   const std::vector<BarchanRun> runs = side_by_side<BarchanRun>(jobs, [&](int job) {
-    BarchanScene one = scene;
+    BarchanLook one = scene;
     one.bearing = bearings[static_cast<std::size_t>(job / seeds)];
     return grow_barchan(one, steps, 1 + job % seeds);
   });
@@ -184,8 +184,9 @@ std::string two_winds(const ValidationOptions& options) {
       for (int job = 0; job < jobs; ++job) {
         const SpectrumNumbers& crests = runs[static_cast<std::size_t>(job)];
         const double across = middles[static_cast<std::size_t>(job / seeds)] + 90;
-        const std::string text = fixed_text(std::remainder(crests.crest_bearing - across, 180.0), 0) + " (" +
-                                 fixed_text(crests.alignment, 2) + ")";
+        const std::string off =
+            crests.crest_bearing ? fixed_text(std::remainder(*crests.crest_bearing - across, 180.0), 0) : "none";
+        const std::string text = off + " (" + fixed_text(crests.alignment, 2) + ")";
         if (job % seeds == 0) row.push_back(text);
         if (job % seeds != 0) row.back() += ", " + text;
       }
@@ -195,7 +196,7 @@ std::string two_winds(const ValidationOptions& options) {
   return "Two equal winds 60 degrees apart that take turns of 10 steps, 10 slabs of sand, " + std::to_string(steps) +
          " steps on `cpu`, by the bearing of their middle, each seed by itself: degrees by which crests are off lying "
          "across it, in brackets how far they run one way (`alignment`). Far from 0, or hardly aligned: the sand is "
-         "raked into ribs along the wind.\n\n" +
+         "raked into ribs along the wind. none: aligned too little to have a bearing.\n\n" +
          table.markdown();
 }
 

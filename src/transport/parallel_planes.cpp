@@ -54,7 +54,7 @@ bool ParallelExecutor::turn_rows(const WindFrame& frame) {
   }
   layout_ = wanted;
   frame_ = frame;
-  cover_loaded_ = false;
+  cover_source_ = {};
   return true;
 }
 
