@@ -51,7 +51,9 @@ TEST(Measure, TellsOfABarchanInJson) {
   EXPECT_NEAR(dune.at("speed_a_year").get<double>() / dune.at("speed").get<double>(), 50 * 0.6 * 3 / 5, 1e-6);
   EXPECT_EQ(all.at("units_of_each").at("volume"), "m³");
   for (const auto& [key, value] : moment.items()) {
-    if (value.is_number()) EXPECT_TRUE(all.at("units").contains(key)) << key;
+    if (value.is_number()) {
+      EXPECT_TRUE(all.at("units").contains(key)) << key;
+    }
   }
 }
 
