@@ -5,7 +5,7 @@
 namespace erg {
 
 SurfaceRange surface_range(const Terrain& terrain) {
-  check_whole(terrain);
+  check_surface(terrain);
   const auto bedrock = terrain.bedrock().cells();
   const auto mobile = terrain.mobile().cells();
   SurfaceRange range{terrain.height(0, 0), terrain.height(0, 0)};
@@ -18,7 +18,7 @@ SurfaceRange surface_range(const Terrain& terrain) {
 }
 
 std::int32_t lowest_bedrock(const Terrain& terrain) {
-  check_whole(terrain);
+  check_surface(terrain);
   return *std::ranges::min_element(terrain.bedrock().cells());
 }
 

@@ -67,14 +67,25 @@ std::int64_t Terrain::total_mobile() const {
 
 void Terrain::open_ledger() { ledger_ = {total_mobile(), 0, 0}; }
 
-void check_whole(const Terrain& terrain) {
+namespace {
+
+void check_extent(const Terrain& terrain, Extent extent, const std::string& layer) {
+  if (extent == terrain.extent()) return;
+  throw InputError("terrain", layer + " differs in extent from the bedrock", "give all layers the same extent");
+}
+
+}  // namespace
+
+void check_surface(const Terrain& terrain) {
   if (terrain.extent().cells() == 0) throw InputError("terrain", "it has no cells", "make one of at least 1 x 1");
-  const auto check = [&](Extent extent, const std::string& layer) {
-    if (extent == terrain.extent()) return;
-    throw InputError("terrain", layer + " differs in extent from the bedrock", "give all layers the same extent");
-  };
-  check(terrain.mobile().extent(), "the mobile layer");
-  for (const Field& field : terrain.fields()) check(field.values.extent(), "the field " + field.info.key);
+  check_extent(terrain, terrain.mobile().extent(), "the mobile layer");
+}
+
+void check_whole(const Terrain& terrain) {
+  check_surface(terrain);
+  for (const Field& field : terrain.fields()) {
+    check_extent(terrain, field.values.extent(), "the field " + field.info.key);
+  }
 }
 
 std::uint64_t state_hash(const Terrain& terrain) {

@@ -115,6 +115,9 @@ class Terrain {
   Stamp fields_stamp_;
 };
 
+/// Throws InputError for a terrain without cells, and for one whose two layers differ in extent: it has no surface.
+void check_surface(const Terrain& terrain);
+
 /// Throws InputError for a terrain without cells, and for one whose layers and fields differ in extent: nothing can be
 /// measured or written of it.
 void check_whole(const Terrain& terrain);

@@ -32,7 +32,7 @@ auto CudaExecutor::carry_out(Terrain& terrain, const OnDevice& on_device, const 
   return on_processor();
 }
 
-StepReport CudaExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
+StepReport CudaExecutor::move_slabs(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   return carry_out(
       terrain, [&] { return step_on_device(terrain, law, wind, key); },
       [&] { return cpu_.step(terrain, law, wind, key); });

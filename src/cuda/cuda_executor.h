@@ -27,7 +27,6 @@ class CudaExecutor : public Executor {
   std::string name() const override { return device_ ? "cuda" : "cpu"; }
   int threads() const override { return cpu_.threads(); }
   int sub_sweeps() const override { return cpu_.sub_sweeps(); }
-  StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                          const GroundLook& look) override;
   StepReport drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) override;
@@ -39,6 +38,9 @@ class CudaExecutor : public Executor {
 
   /// The device's name; empty without one.
   std::string device_name() const { return device_ ? device_->name() : std::string(); }
+
+ protected:
+  StepReport move_slabs(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
 
  private:
   /// A step that the device has done, to be done again by the processor.

@@ -62,7 +62,7 @@ class NieldBaas : public SlabModel {
     law.covered = StandingSteps::of_angle(values().real("vegetated_repose_angle"), terrain.cell_size(), quantum());
     law.covered_from = static_cast<std::uint8_t>(values().real("repose_from") * 255 + 0.5);
     law.cover = &plants_->cover(terrain);
-    StepReport report = move_slabs(terrain, law, wind, key, executor);
+    StepReport report = executor.step(terrain, law, wind, key);
     if ((key.step + 1) % static_cast<std::uint64_t>(values().integer("steps_per_year")) != 0) return report;
     executor.settle(terrain);
     report.finished = plants_->grow(terrain, key, executor);

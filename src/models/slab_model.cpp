@@ -114,12 +114,7 @@ SlabLaw SlabModel::law(const Terrain& terrain) const {
 }
 
 StepReport SlabModel::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
-  return move_slabs(terrain, law(terrain), wind, key, executor);
-}
-
-StepReport SlabModel::move_slabs(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key,
-                                 Executor& executor) {
-  return wind.strength > 0 ? executor.step(terrain, law, wind, key) : StepReport{};
+  return executor.step(terrain, law(terrain), wind, key);
 }
 
 ModelType slab_model_type(ModelInfo info, SlabFamily family) {

@@ -52,9 +52,6 @@ class SlabModel : public Model {
   SlabLaw law(const Terrain& terrain) const;
 
  protected:
-  /// Has the executor carry out the law for one time step. In a calm (strength 0) nothing moves.
-  static StepReport move_slabs(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key,
-                               Executor& executor);
   const ParameterValues& values() const { return values_; }  ///< of the model's parameters
 
  private:

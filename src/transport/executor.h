@@ -40,10 +40,12 @@ class Executor {
   virtual int threads() const = 0;
   /// Sub-sweeps that a step is cut into; 0: one slab at a time.
   virtual int sub_sweeps() const { return 0; }
-  /// Moves the slabs of one time step in a wind of more than no strength, and books in- and outflow in the terrain's
-  /// ledger. Where this or another kind of step throws in the middle, the executor holds nothing any more, and the
-  /// terrain is no moment of the run: its owner goes back to one that was.
-  virtual StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) = 0;
+  /// Moves the slabs of one time step and books in- and outflow in the terrain's ledger; a wind of strength 0 is a
+  /// calm, in which nothing moves. Where this or another kind of step throws in the middle, the executor holds nothing
+  /// any more, and the terrain is no moment of the run: its owner goes back to one that was.
+  StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
+    return wind.strength > 0 ? move_slabs(terrain, law, wind, key) : StepReport{};
+  }
   /// Flies the grains of one time step, lets their bed slide, creep and bond, and books in- and outflow. The same bits
   /// on every executor. `look` may be empty.
   virtual GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
@@ -66,6 +68,10 @@ class Executor {
   /// they begin. What `work` throws for a piece is thrown here once all threads are done; other pieces may be missing.
   virtual void for_pieces(std::int64_t items,
                           const std::function<void(std::int64_t begin, std::int64_t end)>& work) = 0;
+
+ protected:
+  /// `step` in a wind of more than no strength.
+  virtual StepReport move_slabs(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) = 0;
 
  private:
   Grid<std::int32_t>* lift_counts_ = nullptr;

@@ -29,12 +29,14 @@ class ParallelExecutor : public Executor {
   std::string name() const override { return "cpu"; }
   int threads() const override { return team_.size(); }
   int sub_sweeps() const override { return options_.sweeps; }
-  StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                          const GroundLook& look) override;
   StepReport drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) override;
   void settle(Terrain& terrain) override;
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override;
+
+ protected:
+  StepReport move_slabs(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
 
  private:
   /// The grid in the frame's order, counted from the lowest bedrock, and the strips that work on it.

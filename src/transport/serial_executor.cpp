@@ -31,7 +31,7 @@ constexpr Offset upwind_first[] = {{0, -1, false}, {1, 0, false},  {-1, 0, false
 
 std::uint64_t SerialExecutor::Draws::next() { return mix64(base + 0x9e3779b97f4a7c15u * ++count); }
 
-StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
+StepReport SerialExecutor::move_slabs(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
   if (!holds(terrain) || !frame_.same_axes(frame)) {
     settle(terrain);

@@ -16,7 +16,6 @@ class SerialExecutor : public Executor {
  public:
   std::string name() const override { return "serial"; }
   int threads() const override { return 1; }
-  StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
   GrainReport fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
                          const GroundLook& look) override;
   StepReport drift_snow(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) override;
@@ -24,6 +23,9 @@ class SerialExecutor : public Executor {
   void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) override {
     if (items > 0) work(0, items);
   }
+
+ protected:
+  StepReport move_slabs(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) override;
 
  private:
   /// A place in the frame. v may run over the edge while a slab flies.

@@ -182,7 +182,7 @@ TEST(WindEditor, InvalidValuesChangeNothing) {
   EXPECT_TRUE(wind.set_bearing(0, 361).has_value());
   EXPECT_TRUE(wind.set_bearing(0, std::nan("")).has_value());
   EXPECT_TRUE(wind.set_bearing(0, "upward").has_value());
-  EXPECT_TRUE(wind.set_first(0, 0).has_value());
+  EXPECT_TRUE(wind.set_first(0, -1).has_value());
   EXPECT_TRUE(wind.set_last(0, std::numeric_limits<double>::infinity()).has_value());
   EXPECT_TRUE(wind.set_steps(0, 0).has_value());
   EXPECT_TRUE(wind.set_snowfall(0, -1).has_value());

@@ -164,7 +164,7 @@ TEST_F(StudioTest, TwoRunsAreComparedUnderOneWind) {
   settle();
   studio.runner().step();
   settle();
-  for (const RunSnapshot& run : studio.now().runs) EXPECT_EQ(run.last_wind.bearing, 180);
+  for (const RunSnapshot& run : studio.now().runs) EXPECT_NEAR(run.last_wind.mean_bearing(), 180, 1e-9);
   const std::vector<ComparedNumber> table = compared_numbers(studio.now());
   EXPECT_EQ(table.front().values.size(), 2u);
 }

@@ -161,7 +161,7 @@ TEST(Config, MistakesInAssignmentsTeach) {
             "--set temperature.last=-3: \"momiji\" asks for no temperature; leave it out, or take a model that does");
   EXPECT_EQ(set_message("nx"), "--set nx: not an assignment; expected key=value, for example run.steps=500");
   EXPECT_EQ(set_message("=3"), "--set =3: not an assignment; expected key=value, for example run.steps=500");
-  EXPECT_EQ(set_message("wind.strength=0"), "--set wind.strength=0: strength is 0; expected 0.1 to 8192");
+  EXPECT_EQ(set_message("wind.strength=-1"), "--set wind.strength=-1: strength is -1; expected 0 to 8192");
   EXPECT_EQ(set_message("bearing=up"),
             "--set bearing=up: bearing is \"up\"; expected -360 to 360 degrees, or a compass "
             "point such as W or NNE");

@@ -173,7 +173,7 @@ TEST_F(ConfigFile, ReportsEveryMistakeAtOnceWhereItStands) {
             "a.json:13: p_bare is 1.5; expected 0 to 1\n"
             "a.json:14: forced_erosion is 1; expected true or false\n"
             "a.json:16: bearing is \"up\"; expected -360 to 360 degrees, or a compass point such as W or NNE\n"
-            "a.json:16: strength is 1e+300; expected 0.1 to 8192\n"
+            "a.json:16: strength is 1e+300; expected 0 to 8192\n"
             "a.json:17: seed is 0.5; expected a whole number, 0 to 9007199254740992\n"
             "a.json:18: threads is null; expected a whole number, 0 to 256");
 }
@@ -206,9 +206,9 @@ TEST_F(ConfigFile, MistakesInTheWindTeach) {
       mistakes_in(R"("wind": {"seasons": [{"strength": 3, "last": 4}]})"),
       "a.json:4: \"strength\" stands beside \"first\" or \"last\"; keep \"strength\" for one that does not change, "
       "else \"first\" and \"last\"");
-  EXPECT_EQ(mistakes_in(R"("wind": {"seasons": [{"steps": 0, "first": 0, "beering": 4}]})"),
+  EXPECT_EQ(mistakes_in(R"("wind": {"seasons": [{"steps": 0, "first": -1, "beering": 4}]})"),
             "a.json:4: unknown key \"beering\"; did you mean \"bearing\"?\n"
-            "a.json:4: first is 0; expected 0.1 to 8192\n"
+            "a.json:4: first is -1; expected 0 to 8192\n"
             "a.json:4: steps is 0; expected a whole number, 1 to 1000000000");
   for (const char* curve :
        {"3", "[]", "[[0, 0]]", "[[0, 0], [1, 2]]", "[[0, 0], [1, \"1\"]]", "[[0, 0], [1, 1], [1, 1]]"}) {
