@@ -58,6 +58,9 @@ inline std::vector<Case> slab_cases() {
                     .inflow = 3,
                     .wind = {310, 5},
                     .settings = {{"neighbours", eight}}}});
+    all.push_back({key + ", hops shorter than a row",
+                   {.model = key, .extent = {67, 41}, .boundary = Boundary::open, .inflow = 2, .wind = {250, 0.4}},
+                   slab_rocks});
     all.push_back({key + ", forced",
                    {.model = key, .extent = {32, 32}, .settings = {{"forced_erosion", true}}, .sand = 1},
                    0,
