@@ -31,31 +31,31 @@ class WaterTable : public SlabModel {
     wet_the_ground(terrain, executor);
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover_;
-    law.cover_revision = ++cover_revision_;
     return executor.step(terrain, law, wind, key);
   }
 
   std::vector<Reading> readings() const override {
-    const auto wet = std::count(cover_.cells().begin(), cover_.cells().end(), cover_of(1));
-    return {{"wet_share", "wet ground", "", cover_.empty() ? 0 : static_cast<double>(wet) / cover_.size()}};
+    const CoverField& cover = *cover_;
+    const auto wet = std::count(cover.cells().begin(), cover.cells().end(), cover_of(1));
+    return {{"wet_share", "wet ground", "", cover.empty() ? 0 : static_cast<double>(wet) / cover.size()}};
   }
 
  private:
   /// How firmly water holds each cell: 1 at the water table and below, 0 above the fringe.
   void wet_the_ground(const Terrain& terrain, Executor& executor) {
-    if (cover_.extent() != terrain.extent()) cover_ = CoverField(terrain.extent());
+    CoverField& cover = cover_.edit();
+    if (cover.extent() != terrain.extent()) cover = CoverField(terrain.extent());
     const double table = values().real("water_table");
     const double fringe = std::max(values().real("fringe"), 1e-6);
-    executor.for_pieces(static_cast<std::int64_t>(cover_.size()), [&](std::int64_t begin, std::int64_t end) {
+    executor.for_pieces(static_cast<std::int64_t>(cover.size()), [&](std::int64_t begin, std::int64_t end) {
       for (auto cell = static_cast<std::size_t>(begin); cell < static_cast<std::size_t>(end); ++cell) {
         const double height = terrain.metres(terrain.bedrock()[cell] + terrain.mobile()[cell]);
-        cover_[cell] = cover_of(static_cast<float>(std::clamp((table + fringe - height) / fringe, 0.0, 1.0)));
+        cover[cell] = cover_of(static_cast<float>(std::clamp((table + fringe - height) / fringe, 0.0, 1.0)));
       }
     });
   }
 
-  CoverField cover_;
-  std::uint64_t cover_revision_ = 0;
+  Cover cover_;
 };
 
 std::vector<std::string> explain(const ParameterValues& values, double cell_size) {
@@ -83,7 +83,8 @@ ModelType water_table() {
       {},  // no layers of its own
       2,   // bytes a cell: the cover, here and with the executor
       [](const ParameterValues& values) { return std::make_unique<WaterTable>(values); },
-      explain};
+      explain,
+      slab_step_scale};
 }
 
 }  // namespace erg

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
-#include <thread>
 #include <typeinfo>
 
 #include "app/model_stage.h"
+#include "core/allowance.h"
 #include "core/random.h"
 #include "core/units.h"
 #include "models/slab_model.h"
@@ -133,12 +133,12 @@ Scene grow(const std::string& model, const std::string& kind, const BenchOptions
 }
 
 /// Scattered plants: every cell has a cover of its own between bare and half.
-CoverField scattered_cover(Extent extent) {
+Cover scattered_cover(Extent extent) {
   CoverField cover(extent);
   for (std::size_t cell = 0; cell < cover.size(); ++cell) {
     cover[cell] = static_cast<std::uint8_t>(random_below({bench_seed, 0}, 0, cell, 0, 128));
   }
-  return cover;
+  return Cover(std::move(cover));
 }
 
 using Contest = std::vector<std::unique_ptr<Contestant>>;
@@ -202,11 +202,10 @@ std::vector<BenchRow> bench_model(const std::string& model, const BenchOptions& 
   Scene oblique = dunes;
   oblique.name = "oblique wind";
   oblique.wind.bearing = fold_bearing(oblique.wind.bearing + oblique_turn);
-  const CoverField cover = scattered_cover(dunes.terrain.extent());
+  const Cover cover = scattered_cover(dunes.terrain.extent());
   Scene covered = dunes;
   covered.name = "cover";
   covered.law.cover = &cover;
-  covered.law.cover_revision = 1;
   Scene rocks = grow(model, "rocks", options);
   rocks.name = "obstacles";
 
@@ -238,9 +237,7 @@ bool is_law_alone(const ModelType& type) {
 
 }  // namespace
 
-int bench_threads(const BenchOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+int bench_threads(const BenchOptions& options) { return options.threads > 0 ? options.threads : allowed_threads(); }
 
 Config bench_config(const std::string& model, int side, const std::vector<std::string>& settings) {
   Config config(model);

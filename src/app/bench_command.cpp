@@ -1,5 +1,4 @@
 // `erg bench`: options, and the figures as a table or JSON.
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,8 +8,10 @@
 #include "app/grain_bench.h"
 #include "app/known_words.h"
 #include "app/measured_run.h"
+#include "app/options.h"
 #include "app/render_bench.h"
 #include "app/text_table.h"
+#include "core/exact_text.h"
 #include "core/terrain.h"
 #include "models/grains.h"
 #include "models/model.h"
@@ -122,15 +123,15 @@ void add_bench_command(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("bench", "Measure the executors on developed dunes and snow");
   const CLI::Option* const grid = command->add_option("--grid", options->bench.grid, "Cells a side")
                                       ->capture_default_str()
-                                      ->check(CLI::Range(16, largest_side));
+                                      ->check(whole_number(16, largest_side));
   command->add_option("--model", options->bench.models, "Model to measure (may be repeated; default: all)");
   command->add_option("--executor", options->bench.executor, "Executor to measure beside serial: cpu or cuda")
       ->capture_default_str()
       ->check(one_of({"cpu", "cuda"}));
   command->add_option("--threads", options->bench.threads, "Threads, measured beside one (0: every processor)")
-      ->check(CLI::Range(0, 256));
+      ->check(whole_number(0, 256));
   command->add_option("--sweeps", options->bench.sweeps, "Sub-sweeps K (default: 8 and 16)")
-      ->check(CLI::IsMember({2, 4, 8, 16, 32, 64}));
+      ->check(one_of({"2", "4", "8", "16", "32", "64"}));
   command->add_option("--bearing", options->bearing, "Where the wind blows from: degrees or W, NW ...")
       ->capture_default_str();
   CLI::Option* const json = command->add_flag("--json", options->json, "Print a JSON list of rows");
@@ -143,6 +144,7 @@ void add_bench_command(CLI::App& program, Action& action) {
       ->capture_default_str()
       ->check(one_of(offscreen_kinds()))
       ->needs(render);
+  add_instructions_option(*command);
   command->callback([&action, options, grid] {
     const bool one_grid = grid->count() > 0;
     action = [options, one_grid] {

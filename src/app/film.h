@@ -15,7 +15,7 @@ namespace erg {
 class Film {
  public:
   /// Frames go into `folder`/`name`-frames (made when missing), one every `every` steps. Throws InputError for wrong
-  /// picture options, where nothing can be drawn, and where it cannot write.
+  /// picture options, a size that no film can have, where nothing can be drawn, and where it cannot write.
   Film(const std::filesystem::path& folder, const std::string& name, std::int64_t every, const PictureRequest& request,
        Simulation& simulation);
 
@@ -27,6 +27,8 @@ class Film {
   void finish(bool quiet) const;
 
  private:
+  std::string frame_name(const Simulation& simulation) const;
+
   std::filesystem::path frames_;
   std::filesystem::path movie_;
   std::int64_t every_;

@@ -65,6 +65,10 @@ ExitCode make_gallery(const GalleryRequest& request) {
   const std::vector<Preset> wanted = wanted_presets(request);
   const fs::path folder = request.out.empty() ? presets_folder() : fs::path(request.out);
   make_folder(folder / "gallery");
+  for (const Preset& preset : wanted) {
+    const fs::path file = preset_picture(folder, preset.name);
+    try_output(file.string(), file);
+  }
   const std::unique_ptr<GlContext> context = make_offscreen_context();
   Renderer renderer;
   const InterruptGuard guard;

@@ -1,10 +1,10 @@
 // `erg gui`, and `erg` alone: the window.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
 #include "app/command.h"
 #include "app/interrupt.h"
+#include "app/options.h"
 #include "app/presets.h"
 #include "core/errors.h"
 #include "studio/settings.h"
@@ -37,8 +37,8 @@ void add_gui_command(CLI::App& program, Action& action) {
   command->add_option("CONFIG", *config, "Config file, name of a preset, or checkpoint (default: the gallery)");
   command->add_option("--scale", request->scale, "Size of letters and controls (default: as the screen suggests)")
       ->check(CLI::Range(Settings::smallest_scale, Settings::largest_scale));
-  command->add_option("--width", request->width, "Width of the window in pixels")->check(CLI::Range(640, 16384));
-  command->add_option("--height", request->height, "Height of the window in pixels")->check(CLI::Range(480, 16384));
+  command->add_option("--width", request->width, "Width of the window in pixels")->check(whole_number(640, 16384));
+  command->add_option("--height", request->height, "Height of the window in pixels")->check(whole_number(480, 16384));
   command->add_option("--ui-map", request->widget_map,
                       "Testing aid: keep a list of all widgets and where they lie in this file");
   command->callback(

@@ -1,13 +1,15 @@
 // The program `erg`: names its commands, runs the one that was asked for, and turns errors into exit codes.
-#include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
+#include <iostream>
+#include <string>
 
 #include "app/command.h"
+#include "app/options.h"
+#include "app/standard_streams.h"
+#include "app/tell.h"
 #include "core/errors.h"
 #include "io/atomic_file.h"
 #include "io/provenance.h"
-#include "sim/memory.h"
 
 namespace erg {
 namespace {
@@ -21,6 +23,7 @@ ExitCode run_program(int argument_count, char** arguments) {
   Action action = open_gallery_window;
   add_gui_command(program, action);
   add_run_command(program, action);
+  add_measure_command(program, action);
   add_render_command(program, action);
   add_check_command(program, action);
   add_models_command(program, action);
@@ -33,29 +36,42 @@ ExitCode run_program(int argument_count, char** arguments) {
 
   try {
     program.parse(argument_count, arguments);
+  } catch (const CLI::ExtrasError& error) {
+    const ExitCode code = program.exit(error) == 0 ? exit_done : exit_wrong_use;
+    if (const std::string remedy = remedy_for_unknown(program); !remedy.empty()) std::cerr << remedy << "\n";
+    return code;
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? exit_done : exit_wrong_use;
   }
+  refuse_empty_values(program);
   return action();
+}
+
+/// The same with errors told and turned into exit codes.
+ExitCode run_and_tell(int argument_count, char** arguments) {
+  try {
+    return run_program(argument_count, arguments);
+  } catch (const WriteError& error) {  // the disk's fault, not that of what was asked for
+    tell(error);
+    return exit_failed;
+  } catch (const InputError& error) {
+    tell(error);
+    return exit_wrong_use;
+  } catch (const std::exception& error) {
+    tell(error);
+    return exit_failed;
+  }
 }
 
 }  // namespace
 }  // namespace erg
 
 int main(int argument_count, char** arguments) {
-  const auto tell = [](const erg::InputError& error) {
-    for (const erg::Mistake& mistake : error.mistakes()) std::fprintf(stderr, "%s\n", mistake.text().c_str());
-  };
-  try {
-    return erg::run_program(argument_count, arguments);
-  } catch (const erg::WriteError& error) {  // the disk's fault, not that of what was asked for
-    tell(error);
-    return erg::exit_failed;
-  } catch (const erg::InputError& error) {
-    tell(error);
-    return erg::exit_wrong_use;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "erg: %s\n", erg::problem_of(error).c_str());
-    return erg::exit_failed;
-  }
+  erg::guard_standard_streams();
+  const erg::ExitCode code = erg::run_and_tell(argument_count, arguments);
+  if (const std::string notice = erg::take_disk_notice(); !notice.empty()) std::cerr << "note: " << notice << "\n";
+  const std::string problem = erg::output_problem();
+  if (problem.empty()) return code;
+  std::cerr << "standard output: cannot be written (" << problem << ")\n";
+  return code == erg::exit_done ? erg::exit_failed : code;
 }

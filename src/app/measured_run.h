@@ -61,9 +61,6 @@ class MeasuredRun {
   double seconds_ = 0;
 };
 
-/// A state hash as people see it: 16 hexadecimal digits.
-std::string hash_text(std::uint64_t hash);
-
 /// One JSON object, as `--stats` writes it.
 std::string statistics_json(Simulation& simulation, const RunStatistics& statistics);
 

@@ -1,4 +1,4 @@
-// Folders that files are written into: what is wrong with them should be known before long work, not after it.
+// Where files are written to: what is wrong with a name or a folder should be known before long work, not after it.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,11 @@ namespace erg {
 /// Makes a folder, and those above it, where they are missing. Throws InputError when it cannot.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws InputError when the folder of a file is not there. `option`: what named the file, such as "--stats"; an empty
-/// `file` is none and is good.
-void check_folder_of(const std::string& option, const std::string& file);
+/// Tries whether a file can be written and leaves nothing behind. `place`: what to call it. Throws InputError.
+void try_output(const std::string& place, const std::filesystem::path& file);
+
+/// The same for the file that an option such as "--stats" names; an empty `file` is none and is good. `made`: a folder
+/// that the command makes before it writes; what will lie in it, or above it, is tried only once it is there.
+void check_output(const std::string& option, const std::string& file, const std::filesystem::path& made = {});
 
 }  // namespace erg

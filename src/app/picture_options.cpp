@@ -1,10 +1,10 @@
 #include "app/picture_options.h"
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
 
 #include "app/known_words.h"
+#include "app/options.h"
 #include "core/errors.h"
 #include "core/exact_text.h"
 #include "io/camera_file.h"
@@ -52,14 +52,22 @@ CLI::Option_group& add_picture_options(CLI::App& program, PictureRequest& reques
                   "material, sand, snow, elevation, slope, shadow, flux, or a field of the model")
       ->capture_default_str();
   command.add_option("--palette", request.look.palette, "Colours of values: RdYlGn, cividis, batlow, grey ...");
-  command.add_option("--contours", request.look.contours, "Interval of contour lines, in the unit of what is shown");
+  command.add_option("--contours", request.look.contours, "Interval of contour lines, in the unit of what is shown")
+      ->check(finite_number());
   command.add_option("--sun", request.sun, "Bearing and altitude of the sun in degrees (default 285,24)");
-  command.add_option("--exaggeration", request.look.exaggeration, "Factor on all heights")->capture_default_str();
-  command.add_option("--grain", request.look.grain, "Strength of grains and ripples, 0 to 1")->capture_default_str();
-  command.add_option("--copies", request.copies,
-                     "Rings of copies around a torus (default: to the horizon for materials in perspective)");
+  command.add_option("--exaggeration", request.look.exaggeration, "Factor on all heights")
+      ->capture_default_str()
+      ->check(finite_number());
+  command.add_option("--grain", request.look.grain, "Strength of grains and ripples, 0 to 1")
+      ->capture_default_str()
+      ->check(finite_number());
+  command
+      .add_option("--copies", request.copies,
+                  "Rings of copies around a torus (default: to the horizon for materials in perspective)")
+      ->check(whole_number(0, 8));
   command.add_option("--supersample", request.supersample, "Pixels drawn for each pixel, each way")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(whole_number(1, 4));
   command.add_option("--context", request.context, "What draws: auto, egl, osmesa")
       ->capture_default_str()
       ->check(one_of(offscreen_kinds()));

@@ -52,7 +52,7 @@ std::string config_path(const std::string& name) {
   const std::vector<Preset> known = presets();
   if (const Preset* preset = preset_named(known, name)) return preset->path.string();
   std::error_code failed;
-  if (fs::exists(fs::symlink_status(name, failed)) || failed) throw InputError({*trouble});
+  if (fs::symlink_status(name, failed).type() != fs::file_type::not_found) throw InputError({*trouble});
   // A path is most likely one of a file, a bare word one of a preset.
   const std::string file = nearest_path(name);
   const std::string preset = nearest_preset(name, known);

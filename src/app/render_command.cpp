@@ -1,18 +1,21 @@
 // `erg render`: a picture of a config's land or of a checkpoint.
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "app/command.h"
 #include "app/interrupt.h"
 #include "app/notice.h"
+#include "app/options.h"
 #include "app/output_folder.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/run_setup.h"
 #include "core/errors.h"
 #include "io/config_file.h"
+#include "io/jpeg.h"
 #include "io/png.h"
 #include "io/start_simulation.h"
 #include "models/grains.h"
@@ -31,19 +34,41 @@ struct RenderRequest {
   PictureRequest picture;
 };
 
-bool is_checkpoint(const std::string& source) { return std::filesystem::path(source).extension() == ".checkpoint"; }
-
-Simulation start(const RenderRequest& request) {
-  RunRequest run;
-  (is_checkpoint(request.source) ? run.resume : run.config) = request.source;
-  run.assignments = request.assignments;
-  return start_simulation(run);
-}
+Simulation start(const RenderRequest& request) { return start_from(request.source, request.assignments); }
 
 /// The step that the picture shows.
 std::int64_t last_step(const RenderRequest& request, const Simulation& simulation) {
   if (request.steps >= 0) return request.steps;
   return is_checkpoint(request.source) ? simulation.step_count() : simulation.config().run.integer("steps");
+}
+
+/// In small letters.
+std::string ending_of(const std::string& name) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
+bool is_jpeg(const std::string& name) { return ending_of(name) == ".jpg" || ending_of(name) == ".jpeg"; }
+
+/// Refuses what the ending promises and this program does not write.
+void check_picture_name(const RenderRequest& request) {
+  const std::string ending = ending_of(request.out);
+  if (is_jpeg(request.out) && request.picture.look.transparent) {
+    throw InputError("--transparent", "a JPEG has no opacity", "give --out a name that ends in .png");
+  }
+  if (ending.empty() || ending == ".png" || is_jpeg(request.out)) return;
+  const std::filesystem::path png = std::filesystem::path(request.out).replace_extension(".png");
+  throw InputError("--out " + request.out, "pictures are written as PNG or JPEG",
+                   "did you mean \"" + png.string() + "\"?");
+}
+
+void write_picture(const std::string& path, const Picture& picture, const Provenance& source) {
+  if (is_jpeg(path)) {
+    write_run_jpeg(path, picture.opaque(), source);
+  } else {
+    write_run_png(path, picture.image, source);
+  }
 }
 
 /// What shows what steps do has to see so many of them.
@@ -85,7 +110,8 @@ bool grow(const RenderRequest& request, Simulation& simulation) {
 }
 
 ExitCode render(const RenderRequest& request) {
-  check_folder_of("--out", request.out);
+  check_picture_name(request);
+  check_output("--out", request.out);
   Simulation simulation = start(request);
   simulation.keep_paths(request.paths);
   const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);
@@ -99,7 +125,7 @@ ExitCode render(const RenderRequest& request) {
   const PicturePlan plan = plan_picture(request.picture, run.view());
   const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
   print_notes(picture.notes);
-  write_png(request.out, picture.image, metadata(provenance_of(simulation)));
+  write_picture(request.out, picture, provenance_of(simulation));
   if (!request.quiet) std::cout << "wrote " << request.out << " (" << context->renderer() << ")\n";
   return exit_done;
 }
@@ -110,16 +136,17 @@ void add_render_command(CLI::App& program, Action& action) {
   const auto request = std::make_shared<RenderRequest>();
   CLI::App* command = program.add_subcommand("render", "Draw a picture of a run");
   command->add_option("SOURCE", request->source, "Config file, name of a preset, or checkpoint")->required();
-  command->add_option("--out", request->out, "PNG file to write")->required();
+  command->add_option("--out", request->out, "PNG or JPEG file to write")->required();
   command
       ->add_option("--steps", request->steps, "Step to draw (default: a config's last step; a checkpoint as it stands)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(whole_number(0, most_steps));
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_option("--paths", request->paths, "Draw the ways of so many grains in the last step (model grains)")
-      ->check(CLI::Range(0, 100000));
+      ->check(whole_number(0, 100000));
   command->add_flag("--quiet", request->quiet, "Print nothing but errors and notes");
+  add_instructions_option(*command);
   add_picture_options(*command, request->picture);
   command->callback([&action, request] { action = [request] { return render(*request); }; });
 }

@@ -1,5 +1,4 @@
 // `erg run`: grows dunes from a config.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -11,35 +10,45 @@
 #include "app/known_words.h"
 #include "app/measured_run.h"
 #include "app/notice.h"
+#include "app/options.h"
 #include "app/output_folder.h"
 #include "app/progress.h"
 #include "app/run_output.h"
 #include "app/run_setup.h"
+#include "app/tell.h"
 #include "app/text_table.h"
+#include "app/way_on.h"
+#include "core/exact_text.h"
 #include "io/atomic_file.h"
 #include "io/provenance.h"
+#include "sim/step_time.h"
 #include "wind/bearing.h"
 
 namespace erg {
 namespace {
 
-constexpr const char* default_folder = "out";
 // Rows of the CSV, where --every does not say. A row has a spectrum, which costs more than a step.
 constexpr std::int64_t default_rows = 50;
 constexpr std::int64_t default_row_gap = 10;  // steps, at least
 
-bool writes_files(const RunRequest& request) {
-  return !request.out.empty() || !request.formats.empty() || request.every > 0;
-}
+constexpr std::size_t saving_bytes = std::size_t{16} << 20;  // more than a checkpoint takes to be written
 
 std::int64_t steps_between_rows(const RunRequest& request, std::int64_t last) {
   return request.every > 0 ? request.every : std::max(default_row_gap, last / default_rows);
 }
 
-std::string output_folder(const RunRequest& request) { return request.out.empty() ? default_folder : request.out; }
+/// What a run writes.
+struct Outputs {
+  std::unique_ptr<RunOutput> files;  ///< null: none
+  std::unique_ptr<Film> film;        ///< null: none
+};
+
+bool needs_numbers(const RunRequest& request) { return !request.quiet || !request.stats.empty(); }
 
 /// The run itself: step, write, show; until the last step or Ctrl-C.
-void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& run, RunOutput* output, Film* film) {
+void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& run, const Outputs& outputs) {
+  RunOutput* const output = outputs.files.get();
+  Film* const film = outputs.film.get();
   const std::int64_t last = simulation.config().run.integer("steps");
   const std::int64_t row_every = steps_between_rows(request, last);
   print_notice(simulation.executor());
@@ -53,9 +62,25 @@ void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& r
     if (film != nullptr && simulation.step_count() % request.frames == 0) film->add_frame(simulation);
     if (output == nullptr) continue;
     const bool end = run.finished();
+    const std::int64_t soon = simulation.step_count() + RunMeter::good_look;
+    if (row_every > RunMeter::good_look && (soon == last || soon % row_every == 0)) output->glance();
     if (end || simulation.step_count() % row_every == 0) output->add_row();
     if (!end && request.every > 0 && simulation.step_count() % request.every == 0) output->write_state();
   }
+}
+
+std::string crests_text(const SpectrumNumbers& spectrum) {
+  const std::string alignment = "alignment " + fixed_text(spectrum.alignment, 2);
+  if (!spectrum.crest_bearing) return "along no one bearing (" + alignment + ")";
+  return "along " + fixed_text(*spectrum.crest_bearing, 0) + "° (" + alignment + ")";
+}
+
+std::string migration_text(const Shift& migration) {
+  const double speed = std::hypot(migration.x, migration.y);
+  const std::string text = fixed_text(speed, 3) + " cells a step";
+  if (!(speed > 0)) return text;
+  // Of what moves toward (x, y), as opposed to a wind that blows from there.
+  return text + " toward " + fixed_text(bearing_of({-migration.x, -migration.y}), 0) + "°";
 }
 
 void print_summary(Simulation& simulation, const RunStatistics& numbers) {
@@ -64,52 +89,13 @@ void print_summary(Simulation& simulation, const RunStatistics& numbers) {
             << " million polls/s, " << executor_text(simulation.executor().name(), simulation.executor().threads())
             << ")\n";
   if (simulation.finished()) std::cout << "  ended early: " << simulation.totals().why_finished << "\n";
-  const double speed = std::hypot(numbers.migration.x, numbers.migration.y);
   std::cout << "  thickest column " << numbers.shape.max_slabs << " slabs, standard deviation "
             << fixed_text(numbers.shape.sd_slabs, 2) << ", bare " << fixed_text(numbers.shape.bare_fraction * 100, 1)
             << "%, in shadow " << fixed_text(numbers.shadow_fraction * 100, 1) << "%\n"
-            << "  wavelength " << fixed_text(numbers.spectrum.wavelength, 1) << " cells, crests along "
-            << fixed_text(numbers.spectrum.crest_bearing, 0) << " deg, migration " << fixed_text(speed, 3)
-            << " cells a step\n";
-}
-
-ExitCode stop_early(const RunRequest& request, Simulation& simulation, RunOutput* output) {
-  std::unique_ptr<RunOutput> own;
-  if (output == nullptr) {
-    own =
-        std::make_unique<RunOutput>(output_folder(request), run_name(request), std::vector<std::string>{}, simulation);
-    output = own.get();
-  }
-  const std::string path = output->write_state_checkpoint().string();
-  std::cerr << "Interrupted after step " << simulation.step_count() << " of "
-            << simulation.config().run.integer("steps") << ". Go on with: erg run --resume " << path;
-  if (writes_files(request)) std::cerr << " --out " << output_folder(request);
-  std::cerr << "\n";
-  return exit_failed;
-}
-
-/// The same error, with the way on from the last checkpoint.
-[[noreturn]] void fail_with_way_on(const WriteError& error, const RunRequest& request, const RunOutput& output) {
-  std::vector<Mistake> mistakes = error.mistakes();
-  if (!output.last_checkpoint().empty()) {
-    mistakes.push_back(
-        {"", "the run itself is saved in " + output.last_checkpoint().string(),
-         "go on with: erg run --resume " + output.last_checkpoint().string() + " --out " + output_folder(request)});
-  }
-  throw WriteError(std::move(mistakes));
-}
-
-ExitCode grow(const RunRequest& request, Simulation& simulation, MeasuredRun& measured, RunOutput* output, Film* film) {
-  try {
-    const InterruptGuard guard;
-    run_steps(request, simulation, measured, output, film);
-    if (!measured.finished()) return stop_early(request, simulation, output);
-    if (output != nullptr) output->write_state();
-  } catch (const WriteError& error) {
-    if (output == nullptr) throw;
-    fail_with_way_on(error, request, *output);
-  }
-  return exit_done;
+            << "  crests " << fixed_text(numbers.crest_spacing, 1) << " cells apart, " << crests_text(numbers.spectrum)
+            << ", migration " << migration_text(numbers.migration) << "\n";
+  const double seconds = step_scale(simulation.config()).seconds * static_cast<double>(simulation.step_count());
+  if (seconds > 0) std::cout << "  in the world " << world_time_text(seconds) << "\n";
 }
 
 const std::vector<std::string>& formats(const RunRequest& request) {
@@ -123,35 +109,68 @@ void check_flux(const RunRequest& request) {
   throw InputError("--flux", "is written into VTI files, and none are asked for", "add --format vti");
 }
 
-ExitCode run(const RunRequest& request, const PictureRequest& picture) {
-  check_folder_of("--stats", request.stats);
-  check_flux(request);
-  Simulation simulation = start_simulation(request);
-  std::unique_ptr<RunOutput> output;
-  if (writes_files(request)) {
-    output = std::make_unique<RunOutput>(output_folder(request), run_name(request), formats(request), simulation);
-  }
-  simulation.watch_flux(request.flux || (request.frames > 0 && shows_flux(picture)));
-  std::unique_ptr<Film> film;
+/// Tries and makes them all: nothing is run where one of them cannot be written.
+Outputs make_outputs(const RunRequest& request, const PictureRequest& picture, Simulation& simulation) {
+  Outputs outputs;
+  const std::string folder = output_folder(request);
   if (request.frames > 0) {
-    film = std::make_unique<Film>(output_folder(request), run_name(request), request.frames, picture, simulation);
+    outputs.film = std::make_unique<Film>(folder, run_name(request), request.frames, picture, simulation);
   }
-  const bool needs_numbers = !request.quiet || !request.stats.empty();
-  MeasuredRun measured(simulation, simulation.config().run.integer("steps"), needs_numbers);
-  if (const ExitCode ended = grow(request, simulation, measured, output.get(), film.get()); ended != exit_done) {
-    return ended;
+  if (writes_files(request)) {
+    make_folder(folder);
+    check_output("--stats", request.stats);
+    outputs.files = std::make_unique<RunOutput>(folder, run_name(request), formats(request), simulation);
   }
-  if (needs_numbers) {
+  return outputs;
+}
+
+/// All that a run's end brings but the film.
+void finish(const RunRequest& request, Simulation& simulation, MeasuredRun& measured, RunOutput* files) {
+  if (files != nullptr) files->write_state();
+  if (needs_numbers(request)) {
     const RunStatistics numbers = measured.statistics();
-    if (!request.quiet) print_summary(simulation, numbers);
     if (!request.stats.empty()) write_file_atomically(request.stats, statistics_json(simulation, numbers));
+    if (!request.quiet) print_summary(simulation, numbers);
   }
-  if (output != nullptr && !request.quiet) {
-    for (const auto& path : output->files()) std::cout << "  wrote " << path.string() << "\n";
+  if (files != nullptr && !request.quiet) {
+    for (const auto& path : files->files()) std::cout << "  wrote " << path.string() << "\n";
   }
   if (request.hash) std::cout << hash_text(state_hash(simulation.terrain())) << "\n";
-  if (film != nullptr) film->finish(request.quiet);
-  return exit_done;
+}
+
+/// Whatever goes wrong once a step is done, the run is saved.
+ExitCode grow(const RunRequest& request, Simulation& simulation, MeasuredRun& measured, const Outputs& outputs) {
+  const std::int64_t first = simulation.step_count();
+  const InterruptGuard guard;
+  // Where memory is short, saving takes some too.
+  std::vector<char> reserve;
+  reserve.reserve(saving_bytes);
+  try {
+    run_steps(request, simulation, measured, outputs);
+    if (measured.finished()) {
+      finish(request, simulation, measured, outputs.files.get());
+      return exit_done;
+    }
+    save_and_tell(request, simulation, outputs.files.get(), "Interrupted");
+  } catch (const std::exception& error) {
+    if (simulation.step_count() == first) throw;
+    std::vector<char>().swap(reserve);
+    tell(error);
+    save_and_tell(request, simulation, outputs.files.get(), "The run ended");
+  }
+  return exit_failed;
+}
+
+ExitCode run(const RunRequest& request, const PictureRequest& picture) {
+  check_output("--stats", request.stats, writes_files(request) ? output_folder(request) : "");
+  check_flux(request);
+  Simulation simulation = start_simulation(request);
+  simulation.watch_flux(request.flux || (request.frames > 0 && shows_flux(picture)));
+  const Outputs outputs = make_outputs(request, picture, simulation);
+  MeasuredRun measured(simulation, simulation.config().run.integer("steps"), needs_numbers(request));
+  const ExitCode ended = grow(request, simulation, measured, outputs);
+  if (ended == exit_done && outputs.film != nullptr) outputs.film->finish(request.quiet);
+  return ended;
 }
 
 }  // namespace
@@ -180,7 +199,7 @@ void add_run_command(CLI::App& program, Action& action) {
           "--every", request->every,
           "Write the files, and the rows of the CSV, every so many steps; without it the files at the end and about "
           "50 rows, at least 10 steps apart")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number(1, most_steps));
   command
       ->add_option("--format", request->formats,
                    "Files to write, with commas (default, once files are asked for: all but obj, ply, stl)")
@@ -191,12 +210,13 @@ void add_run_command(CLI::App& program, Action& action) {
   command->add_option("--stats", request->stats, "Write the run's numbers to this JSON file");
   command->add_flag("--hash", request->hash, "Print the hash of the final state");
   command->add_flag("--quiet", request->quiet, "Print nothing but errors and the hash");
+  add_instructions_option(*command);
   command->add_flag("--flux", request->flux, "Count the slabs lifted from each cell: the field \"flux\" of VTI files");
   CLI::Option* const frames =
       command
           ->add_option("--frames", request->frames,
                        "Draw a picture every so many steps, and join them to a film where ffmpeg is installed")
-          ->check(CLI::PositiveNumber);
+          ->check(whole_number(1, most_steps));
   // Without pictures they would do nothing.
   for (CLI::Option* option : add_picture_options(*command, *picture).get_options()) option->needs(frames);
   command->callback([&action, request, picture] {

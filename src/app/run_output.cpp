@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* height_ending = "-height.png";
+
 std::vector<std::string> table_columns() {
   std::vector<std::string> keys;
   for (const RunNumber& number : run_numbers()) keys.push_back(number.key);
@@ -47,6 +49,7 @@ RunOutput::RunOutput(fs::path folder, std::string name, std::vector<std::string>
       simulation_(simulation),
       meter_(simulation.totals(), simulation.step_count()) {
   make_folder(folder_);
+  try_files();
   if (!wants("csv")) return;
   const fs::path path = folder_ / (name_ + ".csv");
   const std::int64_t step = simulation_.step_count();
@@ -60,16 +63,35 @@ bool RunOutput::wants(const std::string& format) const {
   return std::find(formats_.begin(), formats_.end(), format) != formats_.end();
 }
 
-fs::path RunOutput::numbered(const std::string& ending) const {
-  char step[32];
-  std::snprintf(step, sizeof step, "-%06lld", static_cast<long long>(simulation_.step_count()));
-  return folder_ / (name_ + step + ending);
+/// Those of the last step, whose names are the longest; and a checkpoint, which every run may come to need.
+void RunOutput::try_files() const {
+  const std::int64_t last = std::max(simulation_.config().run.integer("steps"), simulation_.step_count());
+  std::vector<fs::path> files{numbered(last, ".checkpoint")};
+  for (const std::string& format : formats_) {
+    if (format != "csv") files.push_back(numbered(last, format == "png16" ? height_ending : "." + format));
+  }
+  if (wants("csv")) files.push_back(folder_ / (name_ + ".csv"));
+  for (const fs::path& file : files) try_output(file.string(), file);
+}
+
+fs::path RunOutput::numbered(std::int64_t step, const std::string& ending) const {
+  char number[32];
+  std::snprintf(number, sizeof number, "-%06lld", static_cast<long long>(step));
+  return folder_ / (name_ + number + ending);
 }
 
 void RunOutput::add_row() {
-  // On resuming the row of this step is there, with what was counted up to it.
-  if (table_ == nullptr || table_->last() == static_cast<double>(simulation_.step_count())) return;
+  if (table_ == nullptr) return;
+  if (table_->last() == static_cast<double>(simulation_.step_count())) {
+    // On resuming the row of this step is there, with what was counted up to it.
+    meter_.glance(simulation_);
+    return;
+  }
   table_->add(meter_.take(simulation_));
+}
+
+void RunOutput::glance() {
+  if (table_ != nullptr) meter_.glance(simulation_);
 }
 
 void RunOutput::write_state() {
@@ -82,11 +104,11 @@ void RunOutput::write_state() {
     options.wind = simulation_.last_wind();
     options.caption = simulation_.model_type().info.title + ", step " + std::to_string(source.step);
     const fs::path path = numbered(".png");
-    write_png(path, draw_picture(terrain, options), metadata(source));
+    write_run_png(path, draw_picture(terrain, options), source);
     files_.push_back(path);
   }
   if (wants("png16")) {
-    const fs::path path = numbered("-height.png");
+    const fs::path path = numbered(height_ending);
     write_heightmap(path, terrain, source);
     files_.push_back(path);
   }
@@ -116,6 +138,7 @@ void RunOutput::write_meshes(const Provenance& source) {
 
 fs::path RunOutput::write_state_checkpoint() {
   fs::path path = numbered(".checkpoint");
+  if (path == last_checkpoint_) return path;
   write_checkpoint(path, simulation_.config(), simulation_.state());
   files_.push_back(path);
   last_checkpoint_ = path;

@@ -60,9 +60,39 @@ void check_steps_left(const Config& config, std::int64_t done, const std::string
                    "ask for more with --steps (it counts from the start of the run)");
 }
 
+/// The checkpoint of a folder that was written last; empty where it has none.
+std::filesystem::path newest_checkpoint(const std::filesystem::path& folder) {
+  std::filesystem::path newest;
+  std::filesystem::file_time_type when;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().extension() != ".checkpoint") continue;
+    const auto written = entry->last_write_time(error);
+    if (!newest.empty() && std::pair(written, entry->path()) < std::pair(when, newest)) continue;
+    newest = entry->path();
+    when = written;
+  }
+  return newest;
+}
+
+/// What is given in another's place: a folder of checkpoints, a checkpoint as a config.
+void check_source(const RunRequest& request) {
+  std::error_code none;
+  if (std::filesystem::is_directory(request.resume, none)) {
+    const std::filesystem::path newest = newest_checkpoint(request.resume);
+    throw InputError(
+        "--resume " + request.resume, "this is a folder",
+        newest.empty() ? "give a checkpoint; there is none in it" : "did you mean \"" + newest.string() + "\"?");
+  }
+  if (std::filesystem::path(request.config).extension() == ".checkpoint") {
+    throw InputError(request.config, "this is a checkpoint and no config", "go on from it with --resume");
+  }
+}
+
 }  // namespace
 
 Simulation start_simulation(const RunRequest& request) {
+  check_source(request);
   if (request.resume.empty()) {
     std::vector<std::string> notes;
     Config config = read_config(config_path(request.config), &notes);
@@ -81,6 +111,21 @@ Simulation start_simulation(const RunRequest& request) {
   check_steps_left(config, saved.state.step, request.resume);
   return Simulation(std::move(config), std::move(saved.state));
 }
+
+bool is_checkpoint(const std::string& source) { return std::filesystem::path(source).extension() == ".checkpoint"; }
+
+Simulation start_from(const std::string& source, const std::vector<std::string>& assignments) {
+  RunRequest request;
+  (is_checkpoint(source) ? request.resume : request.config) = source;
+  request.assignments = assignments;
+  return start_simulation(request);
+}
+
+bool writes_files(const RunRequest& request) {
+  return !request.out.empty() || !request.formats.empty() || request.every > 0;
+}
+
+std::string output_folder(const RunRequest& request) { return request.out.empty() ? "out" : request.out; }
 
 std::string run_name(const RunRequest& request) {
   const std::filesystem::path path = request.config.empty() ? request.resume : request.config;

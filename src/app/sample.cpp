@@ -12,6 +12,7 @@
 #include "app/presets.h"
 #include "app/progress.h"
 #include "app/text_table.h"
+#include "core/allowance.h"
 #include "io/config_file.h"
 
 namespace erg {
@@ -35,7 +36,7 @@ SeedRun run_once(Config config, int seed, const std::vector<std::int64_t>& watch
 }  // namespace
 
 void share_jobs(int jobs, const std::function<void(int)>& job) {
-  const int workers = std::min(jobs, std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  const int workers = std::min(jobs, allowed_threads());
   std::atomic<int> next{0};
   std::exception_ptr failure;
   std::mutex failing;

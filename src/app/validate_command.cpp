@@ -1,5 +1,5 @@
 // `erg validate`: writes docs/validation.md, or prints it.
-#include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -7,10 +7,13 @@
 
 #include "app/command.h"
 #include "app/known_words.h"
+#include "app/options.h"
 #include "app/output_folder.h"
+#include "app/page_part.h"
 #include "app/validation.h"
 #include "core/errors.h"
 #include "io/atomic_file.h"
+#include "io/given_file.h"
 #include "io/provenance.h"
 
 namespace erg {
@@ -61,23 +64,29 @@ void add_validate_command(CLI::App& program, Action& action) {
   CLI::App* command =
       program.add_subcommand("validate", "Measure what is in print beside this program's figures (long)");
   command->add_flag("--quick", options->validation.quick, "Fewer seeds and steps, only the small scenes");
-  command->add_option("--out", options->out, "Markdown file to write (default: print)");
+  command->add_option("--out", options->out,
+                      "Markdown file to write (default: print); with --section only that part of it");
   command->add_option("--section", options->section, "Only this section of the document")
       ->check(one_of(section_names()));
   command->add_option("--scene", options->validation.scene, "With --section published: only the row of this preset")
       ->check(one_of(published_presets()));
   command->add_option("--law", options->validation.law, "With --section nature: only the table of this law")
       ->check(one_of(nature_law_names()));
+  add_instructions_option(*command);
   command->callback([&action, options] {
     action = [options] {
       check_choice("--scene", options->validation.scene, "row", "published", options->section);
       check_choice("--law", options->validation.law, "table", "nature", options->section);
-      check_folder_of("--out", options->out);
+      check_output("--out", options->out);
       std::string document;
       for (const Section& section : sections) {
         if (options->section == section.name) document = section.measure(options->validation);
       }
-      if (document.empty()) document = validation_document(options->validation);
+      if (document.empty()) {
+        document = validation_document(options->validation);
+      } else if (!options->out.empty() && std::filesystem::is_regular_file(options->out)) {
+        document = with_part(read_text_file(options->out, "page"), document);
+      }
       if (options->out.empty()) {
         std::cout << document;
       } else {

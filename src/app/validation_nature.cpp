@@ -35,11 +35,13 @@ std::string nature_section(const ValidationOptions& options) {
   std::string section =
       "## Laws of nature\n\nWhat dunes, ripples and snow do outside, beside what these models do: on `cpu` with K 16, "
       "spread over the seeds in brackets. *holds*: within the bound that is stated; *partly*: within twice that; "
-      "**fails**: neither. A law that fails is a limit of the published rules or of ours, and the text below a table "
-      "says which where that was found out. `erg validate --section nature --law NAME` measures one of them: " +
+      "**fails**: neither. A law that fails is a limit of the published rules or of ours; where it was found out "
+      "which, "
+      "the text beside the table says so. `erg validate --section nature --law NAME` measures one of them: " +
       joined(nature_law_names(), ", ") + ".\n";
   for (const NatureLaw& law : nature_laws) {
-    if (options.law.empty() || options.law == law.name) section += "\n" + law.measure(options);
+    if (options.law == law.name) return law.measure(options);
+    if (options.law.empty()) section += "\n" + law.measure(options);
   }
   return section;
 }

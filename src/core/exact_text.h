@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,5 +22,7 @@ std::optional<Number> number_from(std::string_view text) {
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return number;
 }
+/// A hash as people see it: 16 hexadecimal digits.
+std::string hash_text(std::uint64_t hash);
 
 }  // namespace erg

@@ -12,9 +12,12 @@ namespace erg {
 namespace {
 
 /// Whole numbers up to here are exact as double, and in every JSON reader.
-constexpr double largest_exact = 0x1.0p53;
+constexpr std::int64_t largest_whole = std::int64_t{1} << 53;
 
-bool is_whole(double number) { return std::trunc(number) == number && std::abs(number) <= largest_exact; }
+/// Not the largest itself, which as a double may have been the number after it.
+bool is_whole(double number) {
+  return std::trunc(number) == number && std::abs(number) < static_cast<double>(largest_whole);
+}
 
 /// The value as the parameter keeps it. Call after `check_value`.
 ParameterValue stored(const Parameter& parameter, ParameterValue value) {
@@ -47,9 +50,12 @@ std::optional<Mistake> check_number(const Parameter& parameter, const ParameterV
   const auto* real = std::get_if<double>(&value);
   if (whole == nullptr && real == nullptr) return unacceptable(parameter, value, place);
   const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
+  // Beyond these a whole number may lie next to a limit and become it as a double.
+  const bool exact = whole == nullptr || parameter.kind == ParameterKind::real ||
+                     (*whole >= -largest_whole && *whole <= largest_whole);
   const bool kind_fits = parameter.kind == ParameterKind::real || whole != nullptr || is_whole(number);
   // Written so that NaN, which is neither below nor above anything, is refused.
-  const bool range_fits = number >= parameter.minimum && number <= parameter.maximum;
+  const bool range_fits = exact && number >= parameter.minimum && number <= parameter.maximum;
   if (kind_fits && range_fits) return std::nullopt;
   Mistake mistake = unacceptable(parameter, value, place);
   if (number > 0 && number < parameter.minimum && !parameter.too_small.empty()) {

@@ -47,17 +47,17 @@ Terrain::Terrain(Extent extent, double cell_size, double quantum, Boundary bound
       mobile_(extent) {}
 
 Grid<std::int32_t>& Terrain::edit_bedrock() {
-  ++revision_;
+  stamp_.renew();
   return bedrock_;
 }
 
 Grid<std::int32_t>& Terrain::edit_mobile() {
-  ++revision_;
+  stamp_.renew();
   return mobile_;
 }
 
 std::vector<Field>& Terrain::edit_fields() {
-  ++fields_revision_;
+  fields_stamp_.renew();
   return fields_;
 }
 

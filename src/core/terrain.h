@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/grid.h"
+#include "core/stamp.h"
 
 namespace erg {
 
@@ -81,17 +82,18 @@ class Terrain {
   /// A count of quanta as a height in m.
   double metres(std::int32_t quanta) const { return quantum_ * quanta; }
 
-  /// Writable layers. Asking for one tells executors that what they hold of this terrain is out of date.
+  /// Writable layers, to be written before the next step. Asking for one renews the stamp: what executors hold of this
+  /// terrain is out of date.
   Grid<std::int32_t>& edit_bedrock();
   Grid<std::int32_t>& edit_mobile();
-  /// Changes whenever a writable layer was asked for.
-  std::uint64_t revision() const { return revision_; }
+  /// Stands for what bedrock and mobile layer hold now (Stamp): a copy has another.
+  std::uint64_t stamp() const { return stamp_.value(); }
 
   /// The layers that the model declares, in its order.
   const std::vector<Field>& fields() const { return fields_; }
   std::vector<Field>& edit_fields();
-  /// Changes whenever writable fields were asked for.
-  std::uint64_t fields_revision() const { return fields_revision_; }
+  /// Stands for what the fields hold now.
+  std::uint64_t fields_stamp() const { return fields_stamp_.value(); }
 
   MassLedger& ledger() { return ledger_; }
   const MassLedger& ledger() const { return ledger_; }
@@ -109,8 +111,8 @@ class Terrain {
   Grid<std::int32_t> mobile_;
   std::vector<Field> fields_;
   MassLedger ledger_;
-  std::uint64_t revision_ = 0;
-  std::uint64_t fields_revision_ = 0;
+  Stamp stamp_;
+  Stamp fields_stamp_;
 };
 
 /// Throws InputError for a terrain without cells, and for one whose layers and fields differ in extent: nothing can be

@@ -105,18 +105,16 @@ void CudaExecutor::free_all() {
 }
 
 bool CudaExecutor::holds(const Terrain& terrain) const {
-  if (loaded_ != &terrain || revision_ != terrain.revision()) return false;
-  return slabs_ || fields_revision_ == terrain.fields_revision();
+  return stamp_ == terrain.stamp() && (slabs_ || fields_stamp_ == terrain.fields_stamp());
 }
 
 void CudaExecutor::take_up(const Terrain& terrain) {
-  loaded_ = &terrain;
-  revision_ = terrain.revision();
-  fields_revision_ = terrain.fields_revision();
+  stamp_ = terrain.stamp();
+  fields_stamp_ = terrain.fields_stamp();
 }
 
 void CudaExecutor::forget() {
-  loaded_ = nullptr;
+  stamp_ = 0;
   done_.clear();
   cover_.reset();
 }
@@ -125,9 +123,9 @@ void CudaExecutor::forget() {
 CudaExecutor::Again CudaExecutor::again(const SlabLaw& law, const WindNow& wind, StepKey key) {
   if (law.cover == nullptr) {
     cover_.reset();
-  } else if (!cover_ || cover_revision_ != law.cover_revision) {
-    cover_ = std::make_shared<const CoverField>(*law.cover);
-    cover_revision_ = law.cover_revision;
+  } else if (!cover_ || cover_stamp_ != law.cover->stamp()) {
+    cover_ = std::make_shared<const Cover>(*law.cover);
+    cover_stamp_ = law.cover->stamp();
   }
   return [this, law, cover = cover_, wind, key](Terrain& terrain) {
     SlabLaw same = law;

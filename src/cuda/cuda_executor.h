@@ -69,12 +69,11 @@ class CudaExecutor : public Executor {
   std::unique_ptr<DeviceGrains> grains_;
   std::unique_ptr<DeviceSnow> snow_;
   std::string notice_;
-  const Terrain* loaded_ = nullptr;  // what the device holds, if it holds one
-  std::uint64_t revision_ = 0;
-  std::uint64_t fields_revision_ = 0;
-  std::vector<Again> done_;                  // since the terrain's layers were up to date
-  std::shared_ptr<const CoverField> cover_;  // of the last of them
-  std::uint64_t cover_revision_ = 0;
+  std::uint64_t stamp_ = 0;  // of the terrain that the device holds, if it holds one
+  std::uint64_t fields_stamp_ = 0;
+  std::vector<Again> done_;             // since the terrain's layers were up to date
+  std::shared_ptr<const Cover> cover_;  // of the last of them
+  std::uint64_t cover_stamp_ = 0;       // of what it is a copy of
 };
 
 }  // namespace erg

@@ -53,7 +53,7 @@ void DeviceSlabs::load(const Terrain& terrain, const WindFrame& frame) {
   const std::uint32_t bounds[2] = {static_cast<std::uint32_t>(heights.highest), 0};
   device_.send(highest_.data(), bounds, 2);
   current_ = 0;
-  cover_loaded_ = false;
+  cover_stamp_ = 0;
 }
 
 void DeviceSlabs::turn(const WindFrame& frame) {
@@ -66,7 +66,7 @@ void DeviceSlabs::turn(const WindFrame& frame) {
     device_.launch(DeviceKernel::stage_bedrock, cells(), from);
     device_.launch(DeviceKernel::lay_bedrock, cells(), to);
   }
-  cover_loaded_ = false;
+  cover_stamp_ = 0;
 }
 
 void DeviceSlabs::settle(Terrain& terrain) {
@@ -137,18 +137,17 @@ DevicePlan DeviceSlabs::layout() const {
 void DeviceSlabs::load_cover(const SlabLaw& law) {
   if (law.cover == nullptr) {
     cover_ = DeviceArray<std::uint8_t>();
-    cover_loaded_ = false;
+    cover_stamp_ = 0;
     return;
   }
-  if (cover_loaded_ && cover_revision_ == law.cover_revision) return;
+  if (cover_stamp_ == law.cover->stamp()) return;
   device_.fit(cover_, dark_.size());
-  const auto cover = law.cover->cells();
+  const auto cover = (*law.cover)->cells();
   device_.copy_in(staged_.data(), cover.size(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
     std::memcpy(target, cover.data() + first, bytes);
   });
   device_.launch(DeviceKernel::lay_cover, cells(), layout());
-  cover_revision_ = law.cover_revision;
-  cover_loaded_ = true;
+  cover_stamp_ = law.cover->stamp();
 }
 
 /// Mean of |h - mean| over the cells, from counts of heights: the same sum as on the processor.
@@ -196,7 +195,8 @@ StepReport DeviceSlabs::step(const SlabLaw& law, const WindFrame& frame, double 
   SlabCounts counts;
   StepAccount account;
   while (goes_on(law, account, cells(), sweeps_)) {
-    plan.sweep = sub_sweep(law, frame_, open_, key, account, sweeps_);
+    if (!law.repeated_polling && account.sweep % sweeps_ == 0) polled_rows_.draw(key, account.sweep, sweeps_);
+    plan.sweep = sub_sweep(law, frame_, open_, key, account, sweeps_, polled_rows_);
     sweep(plan);
     slide(plan, law);
     std::swap(before_, after_);

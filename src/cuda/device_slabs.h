@@ -46,15 +46,15 @@ class DeviceSlabs {
 
   Device& device_;
   int sweeps_;
+  PolledRows polled_rows_;  // of the round under way
   WindFrame frame_;
   bool open_ = false;
   bool relief_ = false;
   std::int32_t base_ = 0;  // lowest bedrock
   std::int64_t bedrock_total_ = 0;
   std::int64_t mobile_total_ = 0;
-  std::uint64_t cover_revision_ = 0;
-  bool cover_loaded_ = false;
-  int current_ = 0;  // which of the two bounds belongs to before_
+  std::uint64_t cover_stamp_ = 0;  // of the cover that is loaded; 0: none
+  int current_ = 0;                // which of the two bounds belongs to before_
 
   DeviceArray<std::uint32_t> before_;
   DeviceArray<std::uint32_t> after_;

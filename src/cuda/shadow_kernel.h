@@ -6,11 +6,11 @@
 namespace erg::ERG_KERNEL_SPACE {
 
 /// Height of the shadow line (1/256 slabs) that falls on a row of a line, from all that stands upwind: what a scan from
-/// there would bring along. Looks back only as far as the highest cell could still reach.
+/// there would bring along. Looks back only as far as the highest cell could still reach, and once around the torus.
 __device__ inline std::int64_t shadow_from_upwind(const DevicePlan& plan, std::int32_t line, std::int32_t row) {
   const std::int64_t fall = plan.sweep.row_fall;
   const std::int64_t highest = static_cast<std::int64_t>(*plan.highest) << fixed_point_bits;
-  const std::int64_t rows_upwind = plan.open ? row - entering_row(plan, line, row) : INT64_MAX;
+  const std::int64_t rows_upwind = plan.open ? row - entering_row(plan, line, row) : plan.sweep.rows_around;
   LineWalk walk = LineWalk::at(plan, line, row);
   std::int64_t shade = 0;
   for (std::int64_t away = 1; away <= rows_upwind && highest - away * fall > shade; ++away) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "core/errors.h"
@@ -32,7 +33,12 @@ using ByteSink = std::function<void(std::string_view)>;
 /// file is untouched too.
 void write_file_atomically(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& write);
 
-/// Adds `content` to the end of a file that is there, whole or not at all. Throws WriteError when it cannot.
-void append_to_file(const std::filesystem::path& path, std::string_view content);
+/// Tries whether a file can be written under this name, as the above would, and leaves nothing behind: what is wrong
+/// should be known before long work, not after it. Throws WriteError.
+void try_to_write(const std::filesystem::path& path);
+
+/// What the user should know of the disk, once in the life of the program: that its file system cannot flush. Empty
+/// otherwise.
+std::string take_disk_notice();
 
 }  // namespace erg

@@ -14,6 +14,7 @@
 #include "core/errors.h"
 #include "io/atomic_file.h"
 #include "io/config_file.h"
+#include "io/given_file.h"
 #include "sim/memory.h"
 #include "sim/run_check.h"
 
@@ -115,6 +116,7 @@ void write_terrain(Writer& out, const Terrain& terrain) {
 class CheckpointReader {
  public:
   explicit CheckpointReader(const std::filesystem::path& path) : path_(path), file_(path, std::ios::binary) {
+    if (const auto trouble = file_trouble(path, "checkpoint")) throw InputError({*trouble});
     if (!file_) refuse("the checkpoint cannot be opened", "check the name and the permissions");
     file_.seekg(0, std::ios::end);
     left_ = static_cast<std::uint64_t>(file_.tellg());

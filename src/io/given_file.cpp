@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_text = std::size_t{1} << 20;
+constexpr std::size_t largest_text = std::size_t{16} << 20;
 
 bool is_there(const fs::path& path) {
   std::error_code failed;
@@ -67,12 +67,17 @@ Mistake link_trouble(const fs::path& path) {
 }
 
 std::string read_all(std::istream& stream, const fs::path& path) {
-  std::string text(largest_text + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  constexpr std::size_t piece = std::size_t{1} << 16;
+  std::string text;
+  while (stream && text.size() <= largest_text) {
+    const std::size_t before = text.size();
+    text.resize(before + piece);
+    stream.read(text.data() + before, piece);
+    text.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) throw InputError(path.string(), "cannot read this file", "check the disk");
   if (text.size() > largest_text)
-    throw InputError(path.string(), "this file is too large", "give a text of at most 1 MiB; is it the right one?");
+    throw InputError(path.string(), "this file is too large", "give a text of at most 16 MiB; is it the right one?");
   return text;
 }
 

@@ -20,7 +20,8 @@ std::string nearest_path(const std::filesystem::path& path);
 /// Whether this names no place in a folder: "-" (standard input), a pipe, a device, /dev/stdin, /dev/fd/63.
 bool is_stream(const std::filesystem::path& path);
 
-/// All of a file of at most 1 MiB, far more than any config or camera; so a wrong file fills neither memory nor time.
+/// All of a file of at most 16 MiB, more than a wind of a hundred thousand seasons takes; so a wrong file fills neither
+/// memory nor time.
 /// "-" is standard input. `kind` says in errors what it should be: "config file". A mark that says UTF-8 (BOM) is left
 /// out. Throws InputError where it cannot be read, and where its text is not UTF-8, with what it is instead.
 std::string read_text_file(const std::filesystem::path& path, const std::string& kind);

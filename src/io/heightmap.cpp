@@ -183,6 +183,7 @@ void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, 
                              {high_key, exact_text(terrain.metres(high))},
                              {cell_key, exact_text(terrain.cell_size())}};
   for (auto& entry : metadata(provenance)) entries.push_back(std::move(entry));
+  keep_config_beside(path, provenance);
   write_png(path, image, entries);
 }
 

@@ -134,6 +134,7 @@ class Solid {
 void write_obj(const std::filesystem::path& path, const Terrain& terrain, const Provenance& provenance,
                const WriteProgress& progress) {
   check_extent(path, terrain);
+  keep_config_beside(path, provenance);
   write_file_atomically(path, [&](const ByteSink& sink) {
     sink(comments("# ", provenance));
     RowWriter rows(sink, progress, 2 * terrain.ny() - 1);
@@ -161,6 +162,7 @@ void write_ply(const std::filesystem::path& path, const Terrain& terrain, const 
   check_extent(path, terrain);
   const std::size_t triangles =
       2 * static_cast<std::size_t>(terrain.nx() - 1) * static_cast<std::size_t>(terrain.ny() - 1);
+  keep_config_beside(path, provenance);
   write_file_atomically(path, [&](const ByteSink& sink) {
     sink("ply\nformat binary_little_endian 1.0\n" + comments("comment ", provenance) + "element vertex " +
          std::to_string(terrain.extent().cells()) +

@@ -104,4 +104,14 @@ void write_png(const std::filesystem::path& path, const GreyImage& image, const 
   write_file_atomically(path, encode_png({image.width, image.height, 16, 1, image.pixels.data()}, entries, path));
 }
 
+void write_run_png(const std::filesystem::path& path, const RgbImage& image, const Provenance& provenance) {
+  keep_config_beside(path, provenance);
+  write_png(path, image, metadata(provenance));
+}
+
+void write_run_png(const std::filesystem::path& path, const RgbaImage& image, const Provenance& provenance) {
+  keep_config_beside(path, provenance);
+  write_png(path, image, metadata(provenance));
+}
+
 }  // namespace erg

@@ -23,4 +23,8 @@ void write_png(const std::filesystem::path& path, const RgbImage& image, const M
 void write_png(const std::filesystem::path& path, const RgbaImage& image, const MetadataEntries& entries);
 void write_png(const std::filesystem::path& path, const GreyImage& image, const MetadataEntries& entries);
 
+/// The same for a picture of a run: the provenance as entries, and a long config beside the file.
+void write_run_png(const std::filesystem::path& path, const RgbImage& image, const Provenance& provenance);
+void write_run_png(const std::filesystem::path& path, const RgbaImage& image, const Provenance& provenance);
+
 }  // namespace erg

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +20,8 @@ struct Provenance {
   std::string model;      ///< key in the catalogue
   std::string version;    ///< of the program
   std::string executor;   ///< "cpu, 2 threads"
+  /// Days of the world since step 0 (sim/step_time.h); not-a-number where steps have no time of their own.
+  double days = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The version of this program.
@@ -32,8 +36,21 @@ Provenance provenance_of(const Config& config, std::int64_t step, const std::str
 /// Names and texts to write into a file, in order.
 using MetadataEntries = std::vector<std::pair<std::string, std::string>>;
 
-/// The provenance as entries: "erg:version", "erg:model", "erg:seed", "erg:step", "erg:executor", "erg:config". A PNG
-/// carries them as text chunks, a VTI as field data of strings, a CSV as comment lines before its header.
+/// A config of at most so many bytes stands whole in every file about its run. A longer one (a wind of thousands of
+/// seasons) is written once, beside them.
+inline constexpr std::size_t longest_config_within = 4096;
+
+/// 16 hexadecimal digits that tell one config from another.
+std::string config_hash(const Provenance& provenance);
+
+/// The provenance as entries: "erg:version", "erg:model", "erg:seed", "erg:step", "erg:executor", "erg:config-hash",
+/// and "erg:config", or "erg:config-file" where that is too long: the name of the file beside; and
+/// "erg:days" where it is known. A PNG carries them as
+/// text chunks, a VTI as field data of strings, a CSV as comment lines before its header.
 MetadataEntries metadata(const Provenance& provenance);
+
+/// Writes a config that is too long to stand in the file `path` beside it, unless it lies there already. Throws
+/// WriteError.
+void keep_config_beside(const std::filesystem::path& path, const Provenance& provenance);
 
 }  // namespace erg

@@ -196,7 +196,8 @@ Relief make_relief(const Terrain& terrain, const MapScale& scale) {
 }
 
 Light light_up(const Relief& relief, const Sun& sun) {
-  const auto [nx, ny] = relief.extent();
+  const int nx = relief.extent().nx;
+  const int ny = relief.extent().ny;
   const double tangent = std::tan(radians(sun.altitude));
   const double east = std::sin(radians(sun.bearing));
   const double north = std::cos(radians(sun.bearing));

@@ -1,5 +1,6 @@
 #include "io/start_simulation.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/exact_text.h"
@@ -26,9 +27,12 @@ HeightPictureOptions scene_options(const Config& config) {
 std::string text_of(const HeightRange& range) { return exact_text(range.low) + " to " + exact_text(range.high) + " m"; }
 
 void tell_heights(const Config& config, const HeightPicture& picture, std::vector<std::string>& notes) {
-  if (!picture.metres) return;
   const HeightRange used = image_heights(config.scene, picture);
   const std::string name = config.scene.text("image");
+  if (config.scene.text("image_role") == "sand" && std::min(used.low, used.high) < 0) {
+    notes.push_back(name + ": no sand lies where its height is below 0 m (image_role sand)");
+  }
+  if (!picture.metres) return;
   if (used.low == picture.metres->low && used.high == picture.metres->high) {
     notes.push_back(name + ": heights in the picture, " + text_of(used));
   } else {

@@ -12,6 +12,7 @@
 #include "core/joined.h"
 #include "io/atomic_file.h"
 #include "io/comments.h"
+#include "io/table_head.h"
 
 namespace erg {
 namespace {
@@ -38,55 +39,85 @@ double first_value(const std::string& row, std::size_t columns) {
   return result.ec == std::errc{} ? value : none;
 }
 
+/// A table without rows.
+std::string head_text(const std::vector<std::string>& columns, const Provenance& provenance) {
+  return comments("# ", provenance) + joined(columns, ",") + "\n";
+}
+
+/// What lies in a table so far.
+struct TableText {
+  std::vector<std::string> head;  ///< comment lines
+  std::string header;             ///< empty: none
+  std::vector<std::string> rows;  ///< whole lines
+};
+
+TableText read_table(const std::filesystem::path& path) {
+  TableText table;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (!table.header.empty()) {
+      if (!file.eof()) table.rows.push_back(line);  // a last line without its end was cut off, perhaps within a number
+    } else if (line.starts_with('#')) {
+      table.head.push_back(line);
+    } else {
+      table.header = line;
+    }
+  }
+  return table;
+}
+
 }  // namespace
+
+std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
+                       const Provenance& provenance) {
+  std::string text = head_text(columns, provenance);
+  for (const std::vector<double>& row : rows) text += row_text(row, columns.size());
+  return text;
+}
 
 void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
                  const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
-  std::string text = comments("# ", provenance) + joined(columns, ",") + "\n";
-  for (const std::vector<double>& row : rows) text += row_text(row, columns.size());
-  write_file_atomically(path, text);
+  keep_config_beside(path, provenance);
+  write_file_atomically(path, table_text(columns, rows, provenance));
 }
 
-TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : path_(path), columns_(columns) {}
+TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : file_(path), columns_(columns) {}
 
-TableFile::TableFile(const std::filesystem::path& path, std::vector<std::string> columns, const Provenance& provenance)
+TableFile::TableFile(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                     const Provenance& provenance)
     : TableFile(path, columns.size()) {
-  write_table(path, columns, {}, provenance);
+  file_.replace(head_text(columns, provenance));
+  keep_config_beside(path, provenance);
 }
 
 TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::string> columns,
                             const Provenance& provenance, double first_step) {
-  std::ifstream file(path);
-  if (!file) return TableFile(path, std::move(columns), provenance);
-  std::string kept;
-  std::string line;
-  bool header_seen = false;
-  double last = std::numeric_limits<double>::quiet_NaN();
-  while (std::getline(file, line)) {
-    if (header_seen) {
-      // A last line without its end was cut off, perhaps in the middle of a number.
-      const double step = file.eof() ? std::numeric_limits<double>::quiet_NaN() : first_value(line, columns.size());
-      if (!(step < first_step)) continue;
-      last = step;
-    }
-    if (!header_seen && !line.starts_with('#')) {
-      header_seen = true;
-      if (line != joined(columns, ",")) {
-        throw InputError(path.string(), "holds other columns than this run writes", "name another folder or remove it");
-      }
-    }
-    kept += line + "\n";
-  }
-  if (!header_seen) return TableFile(path, std::move(columns), provenance);
-  file.close();
-  write_file_atomically(path, kept);
   TableFile table(path, columns.size());
-  table.last_ = last;
+  const TableText old = read_table(path);
+  std::string kept = head_text(columns, provenance);
+  if (!old.header.empty()) {
+    if (old.header != joined(columns, ",")) {
+      throw InputError(path.string(), "holds other columns than this run writes", "name another folder or remove it");
+    }
+    if (const std::string why = why_another_run(old.head, provenance, path.parent_path()); !why.empty()) {
+      throw InputError(path.string(), "holds the rows of another run: " + why, "name another folder with --out");
+    }
+    kept = joined(old.head, "\n") + "\n" + old.header + "\n";
+    if (old.head.empty()) kept = old.header + "\n";
+    for (const std::string& row : old.rows) {
+      const double step = first_value(row, columns.size());
+      if (!(step < first_step)) continue;
+      table.last_ = step;
+      kept += row + "\n";
+    }
+  }
+  table.file_.replace(kept);
+  keep_config_beside(path, provenance);
   return table;
 }
 
 void TableFile::add(std::span<const double> values) {
-  append_to_file(path_, row_text(values, columns_));
+  file_.append(row_text(values, columns_));
   last_ = values.front();
 }
 

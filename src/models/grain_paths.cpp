@@ -24,12 +24,13 @@ void PathWatch::at(const Grain& grain) {
   last_u_ = grain.u;
   last_v_ = grain.v;
   // The frame's axes lie along the terrain's, perhaps swapped or turned round.
-  const auto axis = [this](std::ptrdiff_t step, float place, float& x, float& y) {
+  const auto axis = [](std::ptrdiff_t step, float place, float& x, float& y) {
     const bool along_x = std::abs(step) == 1;
     (along_x ? x : y) += (step > 0 ? place - 0.5f : 0.5f - place);
   };
-  float x = static_cast<float>(frame_.origin % nx_) + 0.5f;
-  float y = static_cast<float>(frame_.origin / nx_) + 0.5f;
+  const auto row = frame_.origin / nx_;
+  float x = static_cast<float>(frame_.origin - row * nx_) + 0.5f;
+  float y = static_cast<float>(row) + 0.5f;
   axis(frame_.step_u, grain.u, x, y);
   axis(frame_.step_v, grain.v, x, y);
   paths_.back().push_back({x * cell_size_, y * cell_size_, lowest_ + grain.z});

@@ -96,8 +96,8 @@ void GrainModel::trace_paths(const Terrain& terrain, const WindFrame& frame, con
 /// What plants leave of the wind, worked out anew only where they or the wind's bearing have changed.
 std::shared_ptr<const std::vector<float>> GrainModel::shelter(const Terrain& terrain, const WindFrame& frame,
                                                               double bearing) {
-  const bool same_fields = shelter_ != nullptr && shelter_revision_ == terrain.fields_revision();
-  shelter_revision_ = terrain.fields_revision();
+  const bool same_fields = shelter_ != nullptr && shelter_fields_ == terrain.fields_stamp();
+  shelter_fields_ = terrain.fields_stamp();
   if (same_fields && bearing == shelter_bearing_) return shelter_;
   const Grid<float>& plants = find_field(terrain.fields(), plants_field)->values;
   if (shelter_ == nullptr || bearing != shelter_bearing_ || plants != shelter_plants_) {

@@ -52,9 +52,9 @@ class GrainModel : public Model {
 
   ParameterValues values_;
   std::shared_ptr<const std::vector<float>> shelter_;
-  double shelter_bearing_ = 0;          // of the wind that shelter_ is for
-  Grid<float> shelter_plants_;          // of which it was made
-  std::uint64_t shelter_revision_ = 0;  // of the terrain's fields when the plants were last looked at
+  double shelter_bearing_ = 0;        // of the wind that shelter_ is for
+  Grid<float> shelter_plants_;        // of which it was made
+  std::uint64_t shelter_fields_ = 0;  // of the terrain's fields when the plants were last looked at
   FlightSums flights_;
   std::int64_t lifts_ = 0;
   std::int64_t cut_off_ = 0;  // since the run was begun or taken up

@@ -199,16 +199,16 @@ float Plants::total(const Terrain& terrain, std::size_t cell) {
   return sum;
 }
 
-const CoverField& Plants::cover(Terrain& terrain) {
-  if (!cover_.empty() && fields_revision_ == terrain.fields_revision()) return cover_;
-  cover_ = CoverField(terrain.extent());
+const Cover& Plants::cover(Terrain& terrain) {
+  if (fields_stamp_ == terrain.fields_stamp()) return cover_;
+  CoverField& made = cover_.edit();
+  made = CoverField(terrain.extent());
   Grid<float>& shown = terrain.edit_fields()[vegetation].values;
-  for (std::size_t cell = 0; cell < cover_.size(); ++cell) {
+  for (std::size_t cell = 0; cell < made.size(); ++cell) {
     shown[cell] = std::clamp(total(terrain, cell), 0.0f, 1.0f);
-    cover_[cell] = cover_of(shown[cell]);
+    made[cell] = cover_of(shown[cell]);
   }
-  fields_revision_ = terrain.fields_revision();
-  ++cover_revision_;
+  fields_stamp_ = terrain.fields_stamp();
   return cover_;
 }
 

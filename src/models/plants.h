@@ -33,10 +33,8 @@ class Plants {
   /// Adds the fields to a terrain without them. `picture`: share of the start values in each cell for *image*; null:
   /// none anywhere.
   void begin(Terrain& terrain, const Grid<float>* picture);
-  /// What acts on the slabs, 255 for rho = 1; read anew where somebody edited the fields. Its revision changes with it.
-  const CoverField& cover(Terrain& terrain);
-  /// SlabLaw::cover_revision.
-  std::uint64_t cover_revision() const { return cover_revision_; }
+  /// What acts on the slabs, 255 for rho = 1; made anew where the fields have changed.
+  const Cover& cover(Terrain& terrain);
   /// The yearly change, from a terrain that is up to date. True where nothing can move any more, now or later: sand
   /// lies only under plants that hold all of it, and these change no more.
   bool grow(Terrain& terrain, StepKey key, Executor& executor);
@@ -63,9 +61,8 @@ class Plants {
   double lateral_chance_ = 0;
   double establishment_chance_ = 0;
   StepKey planting_;
-  CoverField cover_;
-  std::uint64_t cover_revision_ = 0;
-  std::uint64_t fields_revision_ = 0;
+  Cover cover_;
+  std::uint64_t fields_stamp_ = 0;  // of the fields that it was made from
 };
 
 }  // namespace erg

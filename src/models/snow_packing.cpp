@@ -6,13 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "core/units.h"
 #include "models/slab_model.h"
 #include "models/snow_density.h"
 
 namespace erg {
 namespace {
 
-constexpr SlabFamily packing_family{};  // Werner's
+constexpr SlabFamily packing_family{.timed_by_flux = false};  // else Werner's
 
 /// Fitted: snow at -20 deg C, Alta and tundra, is frozen after 98 days, as in print.
 constexpr double fitted_rate = 0.0247;
@@ -109,7 +110,6 @@ class SnowPacking : public SlabModel {
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover(terrain);
-    law.cover_revision = cover_revision_;
     StepReport report = move_slabs(terrain, law, wind, key, executor);
     const double day = static_cast<double>(key.step);
     const double least = pack(terrain, daily_growth(values(), wind.temperature, day), snow_class(values(), day).most);
@@ -120,15 +120,13 @@ class SnowPacking : public SlabModel {
 
  private:
   /// The resistance as executors use it, read anew where it changed.
-  const CoverField& cover(const Terrain& terrain) {
-    if (!cover_.empty() && fields_revision_ == terrain.fields_revision()) return cover_;
+  const Cover& cover(const Terrain& terrain) {
+    if (fields_stamp_ == terrain.fields_stamp()) return cover_;
     const Grid<float>& held = terrain.fields()[resistance].values;
-    cover_ = CoverField(terrain.extent());
-    for (std::size_t cell = 0; cell < cover_.size(); ++cell) {
-      cover_[cell] = cover_of(std::clamp(held[cell], 0.0f, 1.0f));
-    }
-    fields_revision_ = terrain.fields_revision();
-    ++cover_revision_;
+    CoverField& made = cover_.edit();
+    made = CoverField(terrain.extent());
+    for (std::size_t cell = 0; cell < made.size(); ++cell) made[cell] = cover_of(std::clamp(held[cell], 0.0f, 1.0f));
+    fields_stamp_ = terrain.fields_stamp();
     return cover_;
   }
 
@@ -146,9 +144,8 @@ class SnowPacking : public SlabModel {
   }
 
   double first_temperature_ = -10;
-  CoverField cover_;
-  std::uint64_t cover_revision_ = 0;
-  std::uint64_t fields_revision_ = 0;
+  Cover cover_;
+  std::uint64_t fields_stamp_ = 0;  // of the fields that it was made from
 };
 
 }  // namespace
@@ -168,7 +165,10 @@ ModelType snow_packing() {
           snow_packing_fields(),
           5,  // the cover, here and with the executor, with room
           [](const ParameterValues& values) { return std::make_unique<SnowPacking>(values); },
-          explain_packing};
+          explain_packing,
+          [](const ParameterValues& values, double cell_size, double strength) {
+            return StepScale{seconds_a_day, slab_flux(values, cell_size, strength)};
+          }};
 }
 
 }  // namespace erg

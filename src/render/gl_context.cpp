@@ -33,6 +33,7 @@ std::unique_ptr<GlContext> make_offscreen_context(std::string_view kind) {
   try {
     return make_egl_context();
   } catch (const InputError& egl_failed) {
+    if (!has_osmesa()) throw;
     try {
       return make_osmesa_context();
     } catch (const InputError& osmesa_failed) {

@@ -32,16 +32,18 @@ class GlContext {
 /// True when a driver of this name draws on the processor.
 bool draws_in_software(std::string_view renderer);
 
+/// Whether this program was built with OSMesa, which Mesa has had until 25.1. Without it EGL draws everything.
+bool has_osmesa();
 /// Mesa's off-screen rasteriser. Throws InputError that says what to install.
 std::unique_ptr<GlContext> make_osmesa_context();
 
 /// EGL without a surface, on a graphics card where there is one. Throws InputError that says what to install.
 std::unique_ptr<GlContext> make_egl_context();
 
-/// "auto", "egl", "osmesa".
+/// "auto", "egl", "osmesa": names that are understood, if not all of them can draw.
 const std::vector<std::string>& offscreen_kinds();
 
-/// The context of this kind; "auto" is EGL, or OSMesa where EGL fails. Throws InputError.
+/// The context of this kind; "auto" is EGL, or OSMesa (has_osmesa) where EGL fails. Throws InputError.
 std::unique_ptr<GlContext> make_offscreen_context(std::string_view kind = "auto");
 
 }  // namespace erg

@@ -27,7 +27,8 @@ void LandSheet::update(SurfaceWorkshop& workshop, const SheetPlace& place, const
                              .periodic = periodic,
                              .cell_side = cell_side_,
                              .quantum = terrain.quantum() / place.window.block,
-                             .raw = raw_};
+                             .raw = raw_,
+                             .block = place.window.block};
   maps_.update(workshop, source, request.light, request.effort, changed);
 }
 
@@ -35,7 +36,7 @@ void LandSheet::update_values(TiledTexture& texture, const Field& field, bool pe
                               std::vector<std::string>& notes) {
   std::vector<float> values;
   const Extent extent = field.values.extent();
-  const LandWindow& window = place_.window;
+  const BlockWindow& window = place_.window;
   const bool fits =
       extent.cells() > 0 && extent.nx >= place_.left + place_.cells.nx && extent.ny >= place_.low + place_.cells.ny;
   if (!fits) {
@@ -85,7 +86,7 @@ void LandSheet::bind(const ShaderProgram& program) const {
   program.set_texture("field", 2, has_field_ ? field_.id() : 0);
   program.set_texture("light", 1, maps_.light());
   program.set_texture("surface", 0, maps_.surface());
-  const LandWindow& window = place_.window;
+  const BlockWindow& window = place_.window;
   const double side = cell_side_ / window.block;
   program.set("surface_texels", static_cast<float>(maps_.texels().nx), static_cast<float>(maps_.texels().ny));
   program.set("sheet_low", static_cast<float>(window.left * side), static_cast<float>(window.low * side));
@@ -97,7 +98,7 @@ void LandSheet::bind(const ShaderProgram& program) const {
 }
 
 double LandSheet::height_of(int column, int row) const {
-  const LandWindow& window = place_.window;
+  const BlockWindow& window = place_.window;
   return cells_.value((column - window.left) / window.block, (row - window.low) / window.block);
 }
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "render/land_window.h"
+#include "render/block_window.h"
 #include "render/look.h"
 #include "render/surface_maps.h"
 
@@ -12,11 +12,11 @@ namespace erg {
 
 /// Where a sheet lies, in cells of the terrain.
 struct SheetPlace {
-  int left = 0;       ///< column of its south-west cell
-  int low = 0;        ///< row of its south-west cell
-  Extent cells;       ///< its own cells
-  LandWindow window;  ///< what its maps hold: the same in blocks, with the apron around
-  bool whole = true;  ///< it is all there is
+  int left = 0;        ///< column of its south-west cell
+  int low = 0;         ///< row of its south-west cell
+  Extent cells;        ///< its own cells
+  BlockWindow window;  ///< what its maps hold: the same in blocks, with the apron around
+  bool whole = true;   ///< it is all there is
 };
 
 /// What a picture asks of the maps, besides the terrain.

@@ -59,6 +59,8 @@ class OsmesaContext final : public GlContext {
 
 }  // namespace
 
+bool has_osmesa() { return true; }
+
 std::unique_ptr<GlContext> make_osmesa_context() { return std::make_unique<OsmesaContext>(); }
 
 }  // namespace erg

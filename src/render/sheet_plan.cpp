@@ -28,7 +28,7 @@ double pixels_a_cell(const SheetPlanRequest& request, const SheetPlace& place) {
   return side / pixel;
 }
 
-LandWindow with_apron(const SheetPlace& place, int block, int apron) {
+BlockWindow with_apron(const SheetPlace& place, int block, int apron) {
   const auto blocks = [&](int cells) { return (cells + block - 1) / block + 2 * apron; };
   return {
       place.left - apron * block, place.low - apron * block, {blocks(place.cells.nx), blocks(place.cells.ny)}, block};

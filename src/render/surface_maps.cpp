@@ -63,6 +63,7 @@ void run_pass(const SurfaceWorkshop& workshop, const SurfaceSource& source, cons
 struct SurfaceMaps::Smoothing {
   int detail, plane_reach, reach;
   double spread, noise, tolerance;
+  int block = 1;  ///< cells of the terrain in one that is smoothed, where that is to be made good for
 };
 
 SurfaceWorkshop::SurfaceWorkshop(const std::filesystem::path& shaders)
@@ -107,13 +108,17 @@ void SurfaceMaps::compute_surface(SurfaceWorkshop& workshop, const SurfaceSource
   const Extent cells = source.cells.extent();
   surface_.prepare({cells.nx * detail_, cells.ny * detail_}, GL_RG32F, source.periodic);
   shape_.prepare(surface_.size(), GL_RGBA32F, source.periodic);
+  // In the mean of a block single slabs are gone by themselves: a quick picture must not take low dunes, which are only
+  // some blocks wide, away with them.
+  const int wide = effort.smoothings == 1 ? source.block : 1;
   // Single slabs go first, then, on what is left, the bumps of a few cells that they made.
   const Smoothing slabs{.detail = effort.smoothings == 1 ? detail_ : 1,
-                        .plane_reach = 3,
-                        .reach = effort.smoothings == 1 ? 2 : 3,
+                        .plane_reach = (3 + wide - 1) / wide,
+                        .reach = effort.smoothings == 1 ? (2 + wide - 1) / wide : 3,
                         .spread = 1.5,
                         .noise = 0.4,
-                        .tolerance = 0.8};
+                        .tolerance = 0.8,
+                        .block = wide};
   const Smoothing bumps{
       .detail = detail_, .plane_reach = 4, .reach = 4, .spread = 2.2, .noise = 0.12, .tolerance = 0.3};
   const auto reach_of = [](const Smoothing& smoothing) { return smoothing.plane_reach + smoothing.reach + 1; };
@@ -145,8 +150,9 @@ void SurfaceMaps::compute_surface(SurfaceWorkshop& workshop, const SurfaceSource
 void SurfaceMaps::smooth_into(SurfaceWorkshop& workshop, const SurfaceSource& source, const MapTarget& target,
                               GLuint cells, const Smoothing& smoothing, const std::vector<TexelRect>& where) const {
   // Where slabs are thin there is little to smooth away; the ground itself is not smoother than a share of a cell.
-  const double noise = std::max(smoothing.noise * source.quantum, 0.005 * source.cell_side);
-  const double tolerance = std::max(smoothing.tolerance * source.quantum, 0.03 * source.cell_side);
+  const double cell = source.cell_side / smoothing.block;
+  const double noise = std::max(smoothing.noise * source.quantum, 0.005 * cell);
+  const double tolerance = std::max(smoothing.tolerance * source.quantum, 0.03 * cell);
   const std::vector<TexelRect> asked = grown(where, smoothing.reach, source);
   workshop.row_sums.prepare(source.cells.extent(), GL_RGBA32F, source.periodic);
   workshop.rows.use();

@@ -29,6 +29,7 @@ struct SurfaceSource {
   double cell_side = 1;  ///< m
   double quantum = 1;    ///< m: height of a slab, or what is left of it in the mean of a block
   bool raw = false;      ///< the cells as they are
+  int block = 1;         ///< cells of the terrain, each way, in one of these
 };
 
 /// What the light comes from and falls on.

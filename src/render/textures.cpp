@@ -162,6 +162,22 @@ std::vector<std::uint8_t> PictureTarget::read() const {
   return pixels;
 }
 
+void PictureTarget::write(std::span<const std::uint8_t> pixels) const {
+  // A render buffer takes no pixels; they go through a texture.
+  const GlObject texture = GlObject::texture();
+  const GlObject frame = GlObject::frame_buffer();
+  gl11().BindTexture(GL_TEXTURE_2D, texture.id());
+  gl11().PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl11().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.id());
+  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_.id());
+  gl11().Disable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl11().BindTexture(GL_TEXTURE_2D, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_.id());
+}
+
 int largest_texture() {
   GLint largest = 0;
   gl11().GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);

@@ -84,6 +84,8 @@ class PictureTarget {
   GLuint frame() const { return frame_.id(); }
   /// Red, green, blue, opacity, rows from below.
   std::vector<std::uint8_t> read() const;
+  /// Puts such pixels in, of the size that it was prepared for.
+  void write(std::span<const std::uint8_t> pixels) const;
 
  private:
   GlObject colour_;

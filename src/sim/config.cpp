@@ -12,7 +12,6 @@ namespace erg {
 namespace {
 
 constexpr const char* default_model = "momiji";
-constexpr std::int64_t most_steps = 1'000'000'000;
 /// Heights of a picture, m: from the deepest trench to the highest volcano of Mars, and some.
 constexpr double lowest_point = -12000;
 constexpr double highest_point = 30000;

@@ -17,6 +17,9 @@ struct ModelType;
 /// The version of the config format that this program writes; it reads this one.
 inline constexpr int config_version = 1;
 
+/// The most steps of a run, and of a season.
+inline constexpr std::int64_t most_steps = 1'000'000'000;
+
 /// Declarations of the groups that are not a model's: their values stand under these keys in a config. Cell size and
 /// sand have the defaults of the model that the config is of.
 Parameters grid_parameters(const ModelStart& start = {});   ///< "grid": nx, ny, cell_size, boundary, inflow

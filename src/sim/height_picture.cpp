@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/errors.h"
+
 namespace erg {
 namespace {
 
@@ -173,6 +175,11 @@ Grid<float> resample(const HeightPicture& picture, Extent extent) {
 }
 
 const Grid<float>& on_grid(const HeightPicture& picture, Extent extent, Grid<float>& resampled) {
+  // Written so that NaN is refused.
+  const auto fits = [](float value) { return value >= 0 && value <= 1; };
+  if (picture.empty() || !std::ranges::all_of(picture.cells(), fits)) {
+    throw InputError("picture", "it is empty, or has a value that is not from 0 to 1", "give a surface from 0 to 1");
+  }
   if (picture.extent() == extent) return picture;
   resampled = resample(picture, extent);
   return resampled;

@@ -77,7 +77,8 @@ class PictureResampler {
 
 /// The picture stretched to the extent of a grid.
 Grid<float> resample(const HeightPicture& picture, Extent extent);
-/// The same without a copy where it has that extent already; else `resampled` holds it.
+/// The same without a copy where it has that extent already; else `resampled` holds it. Throws InputError for a picture
+/// that is empty or has values outside of 0 to 1.
 const Grid<float>& on_grid(const HeightPicture& picture, Extent extent, Grid<float>& resampled);
 
 }  // namespace erg

@@ -1,14 +1,11 @@
 #include "sim/memory.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <limits>
 #include <new>
 
+#include "core/allowance.h"
 #include "models/model.h"
 
 namespace erg {
@@ -16,7 +13,6 @@ namespace {
 
 /// What a run takes beside what grows with its grid: threads, tables, pictures.
 constexpr std::uint64_t beside_the_grid = std::uint64_t{160} << 20;
-constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 struct Size {
   std::int64_t nx = 0;
@@ -56,42 +52,6 @@ std::uint64_t bytes_a_cell(std::span<const Config> configs, int copies) {
   return bytes;
 }
 
-/// The number after `key` in a file of the system, in bytes; `otherwise` when there is none.
-std::uint64_t number_in(const char* file, const std::string& key, std::uint64_t unit, std::uint64_t otherwise) {
-  std::ifstream stream(file);
-  std::string word;
-  if (key.empty()) return stream >> word && word != "max" ? std::stoull(word) * unit : otherwise;
-  std::uint64_t value = 0;
-  while (stream >> word) {
-    if (word == key && stream >> value) return value * unit;
-  }
-  return otherwise;
-}
-
-std::uint64_t left_of(std::uint64_t limit, std::uint64_t used) { return limit > used ? limit - used : 0; }
-
-std::uint64_t free_on_machine() {
-  constexpr std::uint64_t kibi = 1024;
-  const std::uint64_t ready = number_in("/proc/meminfo", "MemAvailable:", kibi, unlimited);
-  return ready == unlimited ? ready : ready + number_in("/proc/meminfo", "SwapFree:", kibi, 0);
-}
-
-std::uint64_t left_to_process() {
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
-  return left_of(limit.rlim_cur, number_in("/proc/self/status", "VmSize:", 1024, 0));
-}
-
-/// Within a container. Files that the system keeps in memory to read them again count as used there, and give way.
-std::uint64_t left_to_group() {
-  const std::uint64_t limit = number_in("/sys/fs/cgroup/memory.max", "", 1, unlimited);
-  if (limit == unlimited) return unlimited;
-  const std::uint64_t used = number_in("/sys/fs/cgroup/memory.current", "", 1, 0);
-  const std::uint64_t files = number_in("/sys/fs/cgroup/memory.stat", "active_file", 1, 0) +
-                              number_in("/sys/fs/cgroup/memory.stat", "inactive_file", 1, 0);
-  return left_of(limit, left_of(used, files));
-}
-
 /// The largest grid of the same shape, in steps of 64 cells of its longer side.
 Size largest_that_fits(Size wanted, std::uint64_t cells) {
   constexpr std::int64_t step = 64;
@@ -105,7 +65,7 @@ Size largest_that_fits(Size wanted, std::uint64_t cells) {
 
 std::uint64_t memory_of_run(const Config& config) { return size_of(config).cells() * bytes_a_cell({&config, 1}, 0); }
 
-std::uint64_t free_memory() { return std::min({free_on_machine(), left_to_process(), left_to_group()}); }
+std::uint64_t free_memory() { return allowed_memory(); }
 
 std::string memory_text(std::uint64_t bytes) {
   constexpr double gibi = 1024.0 * 1024 * 1024;
@@ -121,7 +81,7 @@ void check_memory(std::span<const Config> configs, int copies, std::uint64_t fre
   const std::uint64_t a_cell = bytes_a_cell(configs, copies);
   const std::uint64_t needed = a_cell * size.cells() + beside_the_grid;
   if (needed <= free) return;
-  const Size fits = largest_that_fits(size, left_of(free, beside_the_grid) / a_cell);
+  const Size fits = largest_that_fits(size, (free > beside_the_grid ? free - beside_the_grid : 0) / a_cell);
   throw InputError(
       "grid", size.text() + " cells need " + memory_text(needed) + " of memory, and " + memory_text(free) + " are free",
       fits.cells() > 4096 ? "a grid of " + fits.text() + " would fit" : "close other programs");

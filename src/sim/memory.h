@@ -14,8 +14,7 @@ namespace erg {
 /// keeps. What does not grow with the grid is left out. tests/cli/trust_test.cpp holds it against what runs take.
 std::uint64_t memory_of_run(const Config& config);
 
-/// Bytes that this process may still take: what the machine has free (swap included), or less where a limit is set on
-/// the process (`ulimit -v`) or on the group that it belongs to (a container).
+/// Bytes that this process may still take (core/allowance.h).
 std::uint64_t free_memory();
 
 /// "2.3 GiB", "310 MiB".

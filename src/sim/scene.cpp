@@ -214,9 +214,10 @@ class SceneBuilder {
       }
       noise[cell] = static_cast<float>(sum);
     });
-    const auto [low, high] = std::minmax_element(noise.cells().begin(), noise.cells().end());
-    const double range = *high > *low ? *high - *low : 1.0;
-    bedrock_shape([&](int x, int y) { return (noise(x, y) - *low) / range; });
+    const auto ends = std::minmax_element(noise.cells().begin(), noise.cells().end());
+    const float low = *ends.first;
+    const double range = *ends.second > low ? *ends.second - low : 1.0;
+    bedrock_shape([&](int x, int y) { return (noise(x, y) - low) / range; });
   }
 
   void image(const HeightPicture* picture) {
@@ -225,13 +226,13 @@ class SceneBuilder {
     }
     const std::string& role = scene_.text("image_role");
     if (role != "sand") lay_cover(scene_.real("sand"));
-    const auto [low, high] = image_heights(scene_, *picture);
+    const HeightRange range = image_heights(scene_, *picture);
     Grid<float> resampled;
     const Grid<float>& shade = on_grid(*picture, terrain_.extent(), resampled);
     Grid<std::int32_t>& bedrock = terrain_.edit_bedrock();
     Grid<std::int32_t>& mobile = terrain_.edit_mobile();
     each_cell([&](int, int, std::size_t cell) {
-      const std::int32_t height = quanta(low + (high - low) * shade[cell], "image_high");
+      const std::int32_t height = quanta(range.low + (range.high - range.low) * shade[cell], "image_high");
       if (role == "sand") {
         mobile[cell] = std::max(0, height);
       } else {

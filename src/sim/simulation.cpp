@@ -132,12 +132,17 @@ void Simulation::change(Config config) {
     throw InputError("", "this change needs a new terrain", "create the terrain anew");
   }
   std::unique_ptr<Model> model = type_->make(config.parameters);
-  std::unique_ptr<Executor> executor = make_executor(executor_options(config.run));
+  // The executor stays unless it is what changes: threads and memory of its own take longer than a step.
+  const ExecutorOptions options = executor_options(config.run);
+  std::unique_ptr<Executor> other;
+  if (options != executor_options(config_.run)) other = make_executor(options);
   executor_->settle(state_.terrain);
   config_ = std::move(config);
   model_ = std::move(model);
-  executor_ = std::move(executor);
-  if (flux_) executor_->count_lifts(&flux_->counts());
+  if (other) {
+    executor_ = std::move(other);
+    if (flux_) executor_->count_lifts(&flux_->counts());
+  }
   begin_model(nullptr);
   model_->keep_paths(paths_wanted_);
   wake();

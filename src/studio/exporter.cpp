@@ -26,7 +26,7 @@ void write_map(const fs::path& path, const RunSnapshot& run, const Provenance& s
   PictureOptions options;
   options.wind = run.last_wind;
   options.caption = find_model(run.config->model).info.title + ", step " + std::to_string(run.step);
-  write_png(path, draw_picture(*run.terrain, options), metadata(source));
+  write_run_png(path, draw_picture(*run.terrain, options), source);
 }
 
 void write_volume(const fs::path& path, const RunSnapshot& run, const Provenance& source) {
@@ -43,9 +43,10 @@ struct Writer {
 
 const std::vector<Writer>& writers() {
   static const std::vector<Writer> all{
-      {{"png", "Map (PNG)", ".png", "The top view, lit by the sun, with scale bar and wind."},
+      {{"png", "Map (PNG)", ".png", "The top view, lit by the sun, with scale bar and wind.", Keeps::nothing, "-map"},
        [](const auto& path, const auto& run, const auto& source, const auto&) { write_map(path, run, source); }},
-      {{"png16", "Heightmap (16-bit PNG)", ".png", "Heights as grey, one pixel a cell; low and high in its text."},
+      {{"png16", "Heightmap (16-bit PNG)", ".png", "Heights as grey, one pixel a cell; low and high in its text.",
+        Keeps::nothing, "-heights"},
        [](const auto& path, const auto& run, const auto& source, const auto&) {
          write_heightmap(path, *run.terrain, source);
        }},

@@ -28,6 +28,7 @@ struct ExportFormat {
   std::string ending;   ///< ".png"
   std::string meaning;  ///< what it holds and what reads it
   Keeps keeps = Keeps::nothing;
+  std::string suffix = {};  ///< of the name that is proposed, where another format has the same ending
 };
 /// All of them, in the order people should meet them.
 const std::vector<ExportFormat>& export_formats();

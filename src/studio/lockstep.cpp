@@ -56,6 +56,9 @@ void Lockstep::take(std::vector<std::unique_ptr<Simulation>> runs) {
   runs_ = std::move(runs);
   beginning_ = std::move(beginning);
   worked_ = {};
+  // What blew before a checkpoint was written is not in it; its config says what was set then.
+  blown_before_ = WindRecord::of(runs_.front()->config().wind, runs_.front()->step_count());
+  blown_ = blown_before_;
 }
 
 void Lockstep::create(const std::vector<Config>& configs, std::vector<std::string>* notes) {
@@ -89,24 +92,27 @@ void Lockstep::reset() {
   if (empty()) return;
   remember(0, 0);
   redo_.clear();
-  go_to(beginning_);
+  go_to(beginning_, blown_before_);
   worked_ = {};
 }
 
 Lockstep::Moment Lockstep::moment() const { return moment_of(runs_); }
 
-void Lockstep::go_to(const Moment& moment) {
+void Lockstep::go_to(const Moment& moment, const WindRecord& blown) {
   std::vector<std::unique_ptr<Simulation>> runs;
   for (std::size_t i = 0; i < moment.size(); ++i) {
     runs.push_back(std::make_unique<Simulation>(runs_[i]->config(), *moment[i]));
   }
   runs_ = std::move(runs);
+  blown_ = blown;
 }
 
 std::int64_t Lockstep::step() {
   const auto begin = std::chrono::steady_clock::now();
   std::int64_t polls = 0;
+  const std::int64_t before = step_count();
   for (const auto& run : runs_) polls += run->step().polls;
+  if (step_count() > before) blown_.add(runs_.front()->last_wind());
   worked_ += std::chrono::steady_clock::now() - begin;
   return polls;
 }
@@ -134,7 +140,7 @@ void Lockstep::change(const std::vector<Config>& configs) {
 
 void Lockstep::paint(std::size_t run, const Dab& dab, std::uint64_t stroke) {
   if (run >= size()) throw InputError("brush", "there is no such run", "create a terrain first");
-  const bool new_stroke = undo_.empty() || undo_.back().stroke != stroke || undo_.back().step != step_count();
+  const bool new_stroke = undo_.empty() || undo_.back().stroke != stroke || undo_.back().run != run;
   if (new_stroke) remember(stroke, run);
   bool changed = false;
   try {
@@ -159,7 +165,7 @@ std::uint64_t Lockstep::last_stroke(std::size_t run) const {
 }
 
 void Lockstep::remember(std::uint64_t stroke, std::size_t run) {
-  undo_.push_back({stroke, run, step_count(), worked_, moment()});
+  undo_.push_back({stroke, run, worked_, blown_, moment()});
   const auto too_much = [this] {
     std::size_t bytes = 0;
     for (const Edit& edit : undo_) bytes += bytes_of(edit.state);
@@ -179,8 +185,8 @@ bool Lockstep::redo() { return swap_with(redo_, undo_); }
 
 bool Lockstep::swap_with(std::deque<Edit>& from, std::deque<Edit>& to) {
   if (from.empty()) return false;
-  Edit present{from.back().stroke, from.back().run, step_count(), worked_, moment()};
-  go_to(from.back().state);
+  Edit present{from.back().stroke, from.back().run, worked_, blown_, moment()};
+  go_to(from.back().state, from.back().blown);
   worked_ = from.back().worked;
   from.pop_back();
   to.push_back(std::move(present));

@@ -11,6 +11,7 @@
 #include "io/checkpoint.h"
 #include "sim/simulation.h"
 #include "studio/brush.h"
+#include "studio/wind_cycle.h"
 
 namespace erg {
 
@@ -40,8 +41,8 @@ class Lockstep {
   void resume(std::vector<Saved> saved);
   /// Back to where the runs were when created or resumed, under the configs of now; can be undone.
   void reset();
-  /// Exactly this moment again, under the configs of now: after a failure, or on undo.
-  void go_to(const Moment& moment);
+  /// Exactly this moment again, under the configs of now: after a failure, or on undo. `blown`: until then.
+  void go_to(const Moment& moment, const WindRecord& blown);
   /// What go_to needs.
   Moment moment() const;
 
@@ -49,6 +50,8 @@ class Lockstep {
   std::int64_t step();
   /// How long the steps took that led from what was created or resumed to what stands here now.
   Duration worked() const { return worked_; }
+  /// The wind of all steps that led to what stands here now, as it blew, whatever is set by now.
+  const WindRecord& blown() const { return blown_; }
   /// Other configs from the next step on, as many as there are runs. Throws InputError.
   void change(const std::vector<Config>& configs);
   /// A dab on one run, booked in its ledger. Throws InputError.
@@ -68,8 +71,8 @@ class Lockstep {
   struct Edit {
     std::uint64_t stroke = 0;  ///< 0: a reset
     std::size_t run = 0;       ///< that was painted
-    std::int64_t step = 0;
     Duration worked{};
+    WindRecord blown;
     Moment state;
   };
   void remember(std::uint64_t stroke, std::size_t run);
@@ -79,7 +82,9 @@ class Lockstep {
 
   std::vector<std::unique_ptr<Simulation>> runs_;
   Moment beginning_;
+  WindRecord blown_before_;  ///< before that
   Duration worked_{};
+  WindRecord blown_;
   std::deque<Edit> undo_;
   std::deque<Edit> redo_;
 };

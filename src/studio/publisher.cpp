@@ -57,8 +57,8 @@ struct Publisher::Lane {
   explicit Lane(Simulation& simulation) : meter(simulation.totals(), simulation.step_count()) {}
 
   RunSnapshot shown;
-  bool stale = true;                  ///< the terrain is not what was shown
-  std::uint64_t fields_revision = 0;  ///< of the terrain as it was shown
+  bool stale = true;               ///< the terrain is not what was shown
+  std::uint64_t fields_stamp = 0;  ///< of the terrain as it was shown
   bool config_stale = true;
   RunMeter meter;
   Series series;
@@ -95,7 +95,7 @@ void Publisher::configured(Lockstep& runs) {
     Lane& lane = *lanes_[i];
     lane.config_stale = true;
     // A model that begins anew may lay fields; the ground it leaves alone.
-    lane.stale = lane.stale || runs.run(i).terrain().fields_revision() != lane.fields_revision;
+    lane.stale = lane.stale || runs.run(i).terrain().fields_stamp() != lane.fields_stamp;
   }
 }
 
@@ -106,9 +106,14 @@ void Publisher::stepped(Lockstep& runs, std::int64_t polls) {
   const Clock::time_point begin = Clock::now();
   bool taken = false;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    if (!lanes_[i]->series.due(runs.run(i).step_count())) continue;
-    take_numbers(*lanes_[i], runs.run(i));
-    taken = true;
+    Lane& lane = *lanes_[i];
+    const std::int64_t step = runs.run(i).step_count();
+    const bool due = lane.series.due(step);
+    if (due) take_numbers(lane, runs.run(i));
+    if (!due && lane.series.stride() > RunMeter::longest_look && lane.series.due(step + RunMeter::good_look)) {
+      lane.meter.glance(runs.run(i));
+    }
+    taken = taken || due;
   }
   if (taken) space_out_numbers(begin);
 }
@@ -137,7 +142,7 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
     const Terrain& terrain = simulation.terrain();
     view.terrain = pool_->copy_of(terrain);
     view.terrain_version = next_version_++;
-    lane.fields_revision = terrain.fields_revision();
+    lane.fields_stamp = terrain.fields_stamp();
     view.mass_now = terrain.total_mobile();
     view.shadow = nullptr;
     view.flux = nullptr;

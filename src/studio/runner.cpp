@@ -121,6 +121,7 @@ void Runner::set_speed(double steps_per_second) {
 
 void Runner::change(std::vector<Config> configs) {
   give([this, configs = std::move(configs)] {
+    take_back_if_torn();
     runs_.change(configs);
     publisher_.configured(runs_);
     settle_edit();
@@ -193,6 +194,7 @@ void Runner::carry_out(const Command& command) {
 /// Begins to run, to step `goal` or, where that is negative, on and on.
 void Runner::start(std::int64_t goal) {
   if (runs_.empty()) throw InputError("", "there is nothing to run yet", "create a terrain first");
+  take_back_if_torn();
   goal_start_ = runs_.step_count();
   goal_ = goal;
   if (activity_ == Activity::running) return;
@@ -247,6 +249,7 @@ void Runner::make(const std::function<void()>& build) {
     failed_creation_ = done_ + 1;
     throw;
   }
+  torn_ = false;
   publisher_.made_anew(runs_);
   ++creations_;
   activity_ = Activity::paused;
@@ -257,6 +260,7 @@ void Runner::make(const std::function<void()>& build) {
 
 /// Changes the runs that are there.
 void Runner::edit(const std::function<void()>& change) {
+  take_back_if_torn();
   change();
   publisher_.touched(runs_);
   settle_edit();
@@ -284,16 +288,23 @@ void Runner::fail(const std::string& what) {
   activity_ = Activity::failed;
   message_ = what;
   goal_ = -1;
+  torn_ = true;
   log_.error("a step failed: " + what);
+  try {
+    take_back_if_torn();
+  } catch (const std::exception& error) {
+    log_.error("the runs cannot be taken back to the last whole step: " + problem_of(error));
+  }
+}
+
+/// Until this is done no command goes on from what a failed step has left, and no snapshot shows it.
+void Runner::take_back_if_torn() {
+  if (!torn_) return;
   const std::shared_ptr<const Snapshot> whole = snapshot();
   Lockstep::Moment moment;
   for (const RunSnapshot& run : whole->runs) moment.push_back(std::make_shared<const RunState>(run.state()));
-  try {
-    runs_.go_to(moment);
-  } catch (const std::exception& error) {
-    log_.error("the runs cannot be taken back to the last whole step: " + problem_of(error));
-    return;
-  }
+  runs_.go_to(moment, whole->blown);
+  torn_ = false;
   publisher_.touched(runs_);
   log_.information("the runs stand as they were after step " + std::to_string(whole->step()));
 }
@@ -305,6 +316,7 @@ void Runner::publish() {
   next->message = message_;
   next->speed_limit = speed_limit_;
   next->seconds_worked = std::chrono::duration<double>(runs_.worked()).count();
+  next->blown = runs_.blown();
   next->goal_start = goal_start_;
   next->goal = goal_;
   next->undo_count = runs_.undo_count();
@@ -314,7 +326,11 @@ void Runner::publish() {
   next->creations = creations_;
   unshown_ = false;
   try {
-    publisher_.fill(*next, runs_, activity_ == Activity::running);
+    if (torn_) {
+      next->runs = snapshot()->runs;
+    } else {
+      publisher_.fill(*next, runs_, activity_ == Activity::running);
+    }
   } catch (const std::exception& error) {  // no memory for another copy of the terrain
     activity_ = next->activity = Activity::failed;
     next->message = message_ = "the runs cannot be shown: " + problem_of(error);

@@ -97,6 +97,7 @@ class Runner {
   void settle_edit();
   void settle();
   void fail(const std::string& what);
+  void take_back_if_torn();
   void publish();
 
   Log& log_;
@@ -117,6 +118,7 @@ class Runner {
   Activity activity_ = Activity::empty;
   std::string message_;
   bool unshown_ = false;  // steps were done that no snapshot shows
+  bool torn_ = false;     // a step failed half way, and the runs stand there still
   std::uint64_t done_ = 0;
   std::uint64_t snapshots_ = 0;
   std::uint64_t failed_creation_ = 0;

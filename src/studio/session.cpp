@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -102,6 +103,50 @@ std::vector<fs::path> checkpoints_in(const fs::path& folder) {
   return found;
 }
 
+/// The number of the save that a checkpoint of a session belongs to; 0 for any other name.
+std::uint64_t save_of(const fs::path& checkpoint) {
+  const std::string name = checkpoint.stem().string();
+  const std::size_t dash = name.rfind('-');
+  if (!name.starts_with("run") || dash == std::string::npos) return 0;
+  std::uint64_t save = 0;
+  const char* const end = name.data() + name.size();
+  const auto read = std::from_chars(name.data() + dash + 1, end, save);
+  return read.ec == std::errc() && read.ptr == end ? save : 0;
+}
+
+/// The checkpoints that were saved last, all together. Of those with names of their own, the one written last.
+std::vector<fs::path> newest_save(const std::vector<fs::path>& checkpoints) {
+  if (checkpoints.empty()) return {};
+  const auto written = [](const fs::path& file) {
+    std::error_code failed;
+    return fs::last_write_time(file, failed);
+  };
+  const auto newest = std::ranges::max_element(checkpoints, [&](const fs::path& a, const fs::path& b) {
+    return std::pair(save_of(a), written(a)) < std::pair(save_of(b), written(b));
+  });
+  const std::uint64_t save = save_of(*newest);
+  if (save == 0) return {*newest};
+  std::vector<fs::path> together;
+  std::ranges::copy_if(checkpoints, std::back_inserter(together),
+                       [save](const fs::path& one) { return save_of(one) == save; });
+  return together;
+}
+
+/// What is known of a session whose list is missing or damaged. Its checkpoints are read when it is recovered.
+LostSession lost_without_list(const fs::path& folder, const std::vector<fs::path>& checkpoints) {
+  LostSession lost{folder, "A session whose list is missing or damaged", "(unknown)", 0,
+                   newest_save(checkpoints).size()};
+  std::error_code failed;
+  if (checkpoints.empty()) return lost;
+  const auto written = fs::last_write_time(newest_save(checkpoints).front(), failed);
+  const auto moment = std::chrono::file_clock::to_sys(written);
+  if (!failed)
+    lost.saved_at =
+        local_time("%Y-%m-%d %H:%M:%S", std::chrono::system_clock::to_time_t(
+                                            std::chrono::time_point_cast<std::chrono::system_clock::duration>(moment)));
+  return lost;
+}
+
 }  // namespace
 
 Session::Session(const fs::path& state_folder) : last_save_(std::chrono::steady_clock::now()) {
@@ -186,13 +231,14 @@ std::vector<LostSession> Session::lost(const fs::path& state_folder) {
     if (lock < 0) continue;  // its program lives
     ::close(lock);
     std::error_code ignored;
-    if (!fs::exists(folder / session_name, ignored)) {
-      fs::remove_all(folder, ignored);  // a program that was gone before it saved anything: there is nothing to offer
-      continue;
-    }
     const Json json = read_session(folder);
     if (json.is_null()) {
-      found.push_back({folder, "A damaged session", "(unknown)", 0, checkpoints_in(folder).size()});
+      const std::vector<fs::path> left = checkpoints_in(folder);
+      if (left.empty() && !fs::exists(folder / session_name, ignored)) {
+        fs::remove_all(folder, ignored);  // a program that was gone before it saved anything: there is nothing to offer
+      } else {
+        found.push_back(lost_without_list(folder, left));
+      }
       continue;
     }
     found.push_back({folder, json.value("title", ""), json.value("saved_at", ""), json.value("step", std::int64_t{0}),
@@ -204,12 +250,15 @@ std::vector<LostSession> Session::lost(const fs::path& state_folder) {
 
 std::vector<Saved> Session::recover(const LostSession& session) {
   const Json json = read_session(session.folder);
-  if (json.is_null()) {
-    const std::vector<fs::path> left = checkpoints_in(session.folder);
-    throw InputError((session.folder / session_name).string(), "this list of what was saved is missing or damaged",
-                     left.empty() ? "" : "go on from a checkpoint: erg run --resume " + left.back().string());
-  }
   std::vector<Saved> runs;
+  if (json.is_null()) {
+    for (const fs::path& checkpoint : newest_save(checkpoints_in(session.folder))) {
+      runs.push_back(read_checkpoint(checkpoint));
+    }
+    if (!runs.empty()) return runs;
+    throw InputError((session.folder / session_name).string(), "this list of what was saved is missing or damaged",
+                     "no checkpoint lies beside it, so nothing can be brought back");
+  }
   for (const Json& name : json["runs"]) {
     runs.push_back(read_checkpoint(session.folder / fs::path(name.get<std::string>()).filename()));
   }

@@ -51,11 +51,11 @@ class Session {
   /// What went wrong with the last background save; "" if nothing. Asking clears it.
   std::string take_problem();
 
-  /// Sessions of programs that are gone, latest first; those last whose session.json is damaged. Folders in which
-  /// nothing was saved are removed.
+  /// Sessions of programs that are gone, latest first. One whose session.json is missing or damaged is offered by
+  /// its checkpoints; folders in which nothing was saved are removed.
   static std::vector<LostSession> lost(const std::filesystem::path& state_folder);
-  /// The runs of one, for Runner::resume. Throws InputError for a damaged file; where it is session.json, with the way
-  /// to the checkpoints.
+  /// The runs of one, for Runner::resume. Where session.json is missing or damaged, the checkpoints of the save with
+  /// the highest number. Throws InputError for a damaged checkpoint, or where there is none.
   static std::vector<Saved> recover(const LostSession& session);
   /// Removes what a crash left.
   static void discard(const LostSession& session);

@@ -6,6 +6,7 @@
 
 #include "io/start_simulation.h"
 #include "sim/simulation.h"
+#include "sim/step_time.h"
 
 namespace erg {
 namespace {
@@ -54,7 +55,11 @@ void Setup::choose_material(Material material) {
 
 const ModelType& Setup::model() const { return find_model(config_.model); }
 
-void Setup::choose_model(const std::string& key) { change_model(config_, key); }
+void Setup::choose_model(const std::string& key) {
+  change_model(config_, key);
+  config_.title = has_its_own_model() ? named_.title : "";
+  config_.description = has_its_own_model() ? named_.description : "";
+}
 
 std::vector<SetupRow> Setup::rows(const std::string& group, const Config* running) const {
   std::vector<SetupRow> found;
@@ -114,9 +119,7 @@ void Setup::reset_all() {
   fresh_seed_ = false;
 }
 
-std::vector<std::string> Setup::explanations() const {
-  return model().explain(config_.parameters, config_.grid.real("cell_size"));
-}
+std::vector<std::string> Setup::explanations() const { return explain(config_); }
 
 std::vector<Mistake> Setup::mistakes() const {
   std::vector<Mistake> found;

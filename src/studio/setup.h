@@ -35,11 +35,14 @@ class Setup {
  public:
   /// Everything at its default.
   Setup() = default;
-  explicit Setup(Config config) : config_(std::move(config)) {}
+  explicit Setup(Config config) { replace(std::move(config)); }
 
   const Config& config() const { return config_; }
   /// Another config in place of this one, as after loading.
-  void replace(Config config) { config_ = std::move(config); }
+  void replace(Config config) {
+    config_ = std::move(config);
+    named_ = {config_.model, config_.title, config_.description};
+  }
 
   /// The models that move this material, in the catalogue's order.
   static std::vector<const ModelType*> models_of(Material material);
@@ -47,7 +50,8 @@ class Setup {
   /// Changes to the first model of the material, unless it is that material already.
   void choose_material(Material material);
   const ModelType& model() const;
-  /// Throws InputError for an unknown key.
+  /// A title and a description speak of the model that they were given for: under another one there are none, until it
+  /// is chosen again. Throws InputError for an unknown key.
   void choose_model(const std::string& key);
 
   /// The rows of one group, in the order of the declarations. `running`: the config of the run now, or null.
@@ -61,7 +65,12 @@ class Setup {
   /// RESET DEFAULT: everything but the model, the wind included.
   void reset_all();
 
-  void set_title(std::string title) { config_.title = std::move(title); }
+  void set_title(std::string title) {
+    config_.title = std::move(title);
+    named_ = {config_.model, config_.title, config_.description};
+  }
+  /// Whether the model is the one that title and file were given for.
+  bool has_its_own_model() const { return config_.model == named_.model; }
 
   /// The wind under edit.
   WindEditor wind() { return WindEditor(config_.wind, starting_wind(model().info.start)); }
@@ -91,7 +100,13 @@ class Setup {
  private:
   ParameterValues* group(const std::string& key);
 
+  /// What a config was called, and the model that was called so.
+  struct Named {
+    std::string model, title, description;
+  };
+
   Config config_;
+  Named named_{config_.model, {}, {}};
   bool fresh_seed_ = false;
 };
 

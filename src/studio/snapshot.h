@@ -11,6 +11,7 @@
 #include "sim/config.h"
 #include "sim/simulation.h"
 #include "studio/series.h"
+#include "studio/wind_cycle.h"
 #include "transport/executor.h"
 #include "wind/regime.h"
 
@@ -65,6 +66,7 @@ struct Snapshot {
   std::vector<RunSnapshot> runs;  ///< none before the first create; two to four when comparing
   double steps_per_second = 0;    ///< measured over the last second or so; 0 unless running
   double polls_per_second = 0;    ///< the same, of all runs together
+  WindRecord blown;               ///< the wind of all steps up to here, as it blew (Lockstep::blown)
   double seconds_worked = 0;      ///< s of steps that led to what stands here now (Lockstep::worked)
   double speed_limit = 0;         ///< steps a second that were asked for; 0: unlimited
   std::int64_t goal_start = 0;    ///< step at which "run N steps" began
@@ -84,7 +86,7 @@ struct Snapshot {
   double seconds_left() const;
 };
 
-/// The clock in words: "step 1240", and what that means where the model says so ("step 1240, year 15.5").
+/// The clock in words: "step 1240", and what that means where the model says so ("step 1240, 15.5 years").
 std::string clock_text(const Config& config, std::int64_t step);
 
 }  // namespace erg

@@ -189,6 +189,7 @@ bool Studio::save_config(const fs::path& path) {
   return logged(log_, [&] {
     Config config = comparison_.config(active_);
     write_config(path, config);
+    comparison_.setup(active_).set_title(config.title);  // it and the file speak of this model from now on
     kept_.setup_saved(path, std::move(config));
     file_ = path;
     remember_file();
@@ -207,12 +208,14 @@ bool Studio::has_own_file() const {
 }
 
 std::string Studio::suggested_name(const std::string& ending) const {
-  if (!file_.empty()) return file_.stem().string() + ending;
+  const Setup& setup = comparison_.setup(active_);
+  if (!file_.empty()) return (setup.has_its_own_model() ? file_.stem().string() : setup.config().model) + ending;
   std::string name;
-  for (const char letter : comparison_.setup(active_).config().title) {
+  for (const char letter : setup.config().title) {
     const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
     const bool capital = letter >= 'A' && letter <= 'Z';
-    if (plain || capital) {
+    const bool of_another_script = (static_cast<unsigned char>(letter) & 0x80) != 0;  // a part of it, in UTF-8
+    if (plain || capital || of_another_script) {
       name += capital ? static_cast<char>(letter - 'A' + 'a') : letter;
     } else if (!name.empty() && name.back() != '_') {
       name += '_';
@@ -229,7 +232,8 @@ std::optional<UnsavedWork> Studio::unsaved_work(Leaves leaves) const {
 
 std::string Studio::title() const {
   const Config& config = comparison_.setup(active_).config();
-  const std::string name = !config.title.empty() ? config.title : !file_.empty() ? file_.stem().string() : "untitled";
+  const bool of_file = !file_.empty() && comparison_.setup(active_).has_its_own_model();
+  const std::string name = !config.title.empty() ? config.title : of_file ? file_.stem().string() : "untitled";
   return name + " - " + comparison_.setup(active_).model().info.title + ", " +
          std::to_string(config.grid.integer("nx")) + " x " + std::to_string(config.grid.integer("ny"));
 }
@@ -293,8 +297,18 @@ void Studio::discard_lost(const fs::path& folder) {
   lost_.erase(found);
 }
 
+std::string Studio::why_not_kept() const {
+  if (session_ != nullptr) return {};
+  const std::string why = folders_.state.empty() ? "neither XDG_STATE_HOME nor HOME names a folder"
+                                                 : "the folder " + folders_.state.string() + " cannot be written";
+  return why +
+         ", so nothing is saved by itself and a crash loses the land; set XDG_STATE_HOME to a folder of yours, or "
+         "save checkpoints (Export)";
+}
+
 std::string Studio::rescue() {
-  if (session_ == nullptr || !runner_->snapshot()->has_runs()) return "there was nothing to save";
+  if (!runner_->snapshot()->has_runs()) return "there was nothing to save";
+  if (session_ == nullptr) return "the runs are lost: " + why_not_kept();
   try {
     session_->save(*runner_->snapshot());
   } catch (const std::exception& error) {

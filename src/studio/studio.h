@@ -105,6 +105,8 @@ class Studio {
   bool recover(const std::filesystem::path& folder);
   /// Deletes the lost session of this folder; nothing where there is none.
   void discard_lost(const std::filesystem::path& folder);
+  /// Why no session is saved, and what to do about it; "" where one is.
+  std::string why_not_kept() const;
   /// The program has to end: saves the runs for the next start. What to tell the person: where, or why not.
   std::string rescue();
 

@@ -20,16 +20,18 @@ double summed_strength(const Season& season, std::int64_t first, std::int64_t la
   return sum * static_cast<double>(steps) / static_cast<double>(samples);
 }
 
+/// The sector, of so many, that a bearing lies in.
+std::size_t sector_of(double bearing, std::size_t sectors) {
+  const double width = 360.0 / static_cast<double>(sectors);
+  return static_cast<std::size_t>(std::floor(fold_bearing(bearing) / width + 0.5)) % sectors;
+}
+
 /// Adds what blows in steps [0, until) of one cycle.
 void add_part(const Regime& regime, std::int64_t until, double weight, std::vector<double>& sums) {
-  const double width = 360.0 / static_cast<double>(sums.size());
   for (const Season& season : regime.seasons) {
     const std::int64_t last = std::clamp<std::int64_t>(until, 0, season.steps);
     const double part = weight * summed_strength(season, 0, last) / draws_a_round;
-    for (const double swing : wind_swings(season.spread)) {
-      const double sectors = fold_bearing(season.bearing + swing) / width;
-      sums[static_cast<std::size_t>(std::floor(sectors + 0.5)) % sums.size()] += part;
-    }
+    for (const double swing : wind_swings(season.spread)) sums[sector_of(season.bearing + swing, sums.size())] += part;
     until -= last;
   }
 }
@@ -74,6 +76,14 @@ WindRose wind_rose(const Regime& regime, std::int64_t now, std::int64_t end, std
   WindRose rose{sums_until(regime, now, sectors), sums_until(regime, std::max(now, end), sectors)};
   for (std::size_t i = 0; i < sectors; ++i) rose.to_blow[i] = std::max(0.0, rose.to_blow[i] - rose.blown[i]);
   return rose;
+}
+
+void WindRecord::add(const WindNow& wind) { sums[sector_of(wind.bearing, sectors)] += wind.strength; }
+
+WindRecord WindRecord::of(const Regime& regime, std::int64_t steps) {
+  WindRecord record;
+  std::ranges::copy(wind_rose(regime, steps, steps, sectors).blown, record.sums.begin());
+  return record;
 }
 
 }  // namespace erg

@@ -1,6 +1,7 @@
 // The wind of all seasons together, for plots: over one cycle, and by where it comes from.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -32,5 +33,17 @@ struct WindRose {
 };
 /// `now` steps done out of `end`. Long runs are summed by whole cycles. At least 4 `sectors`.
 WindRose wind_rose(const Regime& regime, std::int64_t now, std::int64_t end, std::size_t sectors = 16);
+
+/// The wind as it blew, step after step: the sum of strengths by where it came from.
+struct WindRecord {
+  static constexpr std::size_t sectors = 16;  ///< sector 0 is centred on north
+  std::array<double, sectors> sums{};
+
+  /// One step more.
+  void add(const WindNow& wind);
+  /// What a regime says of its first steps, for runs that were not watched then.
+  static WindRecord of(const Regime& regime, std::int64_t steps);
+  bool operator==(const WindRecord&) const = default;
+};
 
 }  // namespace erg

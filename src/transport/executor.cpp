@@ -1,6 +1,7 @@
 #include "transport/executor.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/errors.h"
 
@@ -26,6 +27,23 @@ std::string to_string(InstructionSet set) {
       break;
   }
   return "portable";
+}
+
+InstructionSet find_instruction_set(const std::string& name, const std::string& place) {
+  std::vector<std::string> names;
+  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
+    names.push_back(to_string(set));
+    if (names.back() != name) continue;
+    if (set <= best_instruction_set()) return set;
+    throw InputError(place, "this processor has no " + name,
+                     "the best that it has is " + to_string(best_instruction_set()));
+  }
+  throw InputError(place, "unknown instructions " + in_quotes(name), suggestion(name, names));
+}
+
+InstructionSet wanted_instruction_set() {
+  const char* const name = std::getenv(instructions_variable);
+  return name == nullptr || *name == '\0' ? best_instruction_set() : find_instruction_set(name, instructions_variable);
 }
 
 TerrainHeights check_height(const Terrain& terrain) {

@@ -28,7 +28,7 @@ using GroundLook = std::function<void(const FrozenGround& ground)>;
 /// Carries out time steps.
 ///
 /// An executor may keep the terrain in a form of its own between steps. Then the terrain's layers are stale until
-/// `settle` writes them back; whoever owns both calls it before anyone reads. Editing the terrain (its revision
+/// `settle` writes them back; whoever owns both calls it before anyone reads. Editing the terrain (its stamp
 /// changes) makes the executor load it again at the next step.
 class Executor {
  public:
@@ -41,7 +41,8 @@ class Executor {
   /// Sub-sweeps that a step is cut into; 0: one slab at a time.
   virtual int sub_sweeps() const { return 0; }
   /// Moves the slabs of one time step in a wind of more than no strength, and books in- and outflow in the terrain's
-  /// ledger.
+  /// ledger. Where this or another kind of step throws in the middle, the executor holds nothing any more, and the
+  /// terrain is no moment of the run: its owner goes back to one that was.
   virtual StepReport step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) = 0;
   /// Flies the grains of one time step, lets their bed slide, creep and bond, and books in- and outflow. The same bits
   /// on every executor. `look` may be empty.
@@ -62,7 +63,7 @@ class Executor {
   virtual std::string take_notice() { return {}; }
   /// Runs `work` over pieces [begin, end) that together are [0, items), on all threads, and returns when all are done:
   /// for what a model does between the slabs' moves. Pieces must not depend on each other, nor the result on where
-  /// they begin; `work` must not throw.
+  /// they begin. What `work` throws for a piece is thrown here once all threads are done; other pieces may be missing.
   virtual void for_pieces(std::int64_t items,
                           const std::function<void(std::int64_t begin, std::int64_t end)>& work) = 0;
 
@@ -70,22 +71,32 @@ class Executor {
   Grid<std::int32_t>* lift_counts_ = nullptr;
 };
 
+/// The variable of the environment that forces an InstructionSet.
+inline constexpr const char* instructions_variable = "ERG_INSTRUCTIONS";
+
 /// Which machine instructions the parallel engine may use. All give the same bits.
 enum class InstructionSet { portable, avx2, avx512 };
 /// The best that this processor has.
 InstructionSet best_instruction_set();
 /// "portable", "avx2", "avx512".
 std::string to_string(InstructionSet set);
+/// The set of this name. Throws InputError, at `place`, for an unknown name and for a set that this processor lacks.
+InstructionSet find_instruction_set(const std::string& name, const std::string& place);
+/// The set that the variable ERG_INSTRUCTIONS of the environment asks for, for tests and reports; the best one where it
+/// asks for none. Throws InputError as find_instruction_set.
+InstructionSet wanted_instruction_set();
 
 /// Which executor, and how it works.
 struct ExecutorOptions {
   std::string name = "auto";  ///< one of executor_names(); "auto" takes the fastest that works
   int threads = 0;            ///< 0: one for each processor
   int sweeps = 16;            ///< K, sub-sweeps a step (cpu, cuda): a power of two, 2 to 64
-  InstructionSet instructions = best_instruction_set();
+  InstructionSet instructions = wanted_instruction_set();
   /// Lines along the wind that are worth a thread of their own in sub-sweeps: with fewer, what a row costs however
   /// short it is outweighs the help. The same bits with any number.
   int lines_a_thread = 256;
+
+  bool operator==(const ExecutorOptions&) const = default;
 };
 
 /// "auto", "serial", "cpu", "cuda". This and make_executor stand in the layer `executors`, which knows them all.

@@ -15,6 +15,13 @@ namespace {
 /// The steepest fall of a shadow line that 8-bit lanes can tell from a steeper one.
 constexpr std::uint32_t narrow_shadow = 0xffff;
 
+/// Rows upwind of row 0 from which a shadow line can reach into the grid: as far as it takes to fall from the highest
+/// cell to the ground, and not beyond where the line has met every cell that it ever meets.
+int warm_up_rows(const SubSweep& sweep, int highest) {
+  const std::int64_t fall_rows = (std::int64_t{highest} << fixed_point_bits) / sweep.row_fall;
+  return static_cast<int>(std::min(fall_rows, sweep.rows_around)) + 2;
+}
+
 /// Tiles are numbered up each block, then along the blocks.
 int tile_rows_of(int length) { return std::max(1, length / tile_rows); }
 SlideTile tile_number(int number, int length) {
@@ -43,7 +50,7 @@ ParallelExecutor::ParallelExecutor(const ExecutorOptions& options)
 StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
   largest_step_ = std::max({law.bare.straight, law.covered.straight, law.bare.diagonal, law.covered.diagonal});
-  if (!holds(terrain) || !lies_ready_for(frame)) {
+  if (!holds(terrain) || !(lies_ready_for(frame) || turn_rows(frame))) {
     settle(terrain);
     load(terrain, frame);
   }
@@ -61,7 +68,9 @@ StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const Wi
     prepare_hops<Lane>(law, wind.strength, key);
     return sweep_until_done<Lane>(progress);
   };
+  const std::uint64_t stamp = stamp_;
   while (!(narrow_ ? sweep(std::uint8_t{}) : sweep(std::uint16_t{}))) change_lanes(false);
+  stamp_ = stamp;
   highest_ = progress.highest;
   hand_out_lift_counts();
 
@@ -93,6 +102,7 @@ bool ParallelExecutor::sweep_until_done(Progress& progress) {
     prepare_strips<Lane>(rows);
     const Progress start = progress;
     bool crowded = false;
+    stamp_ = 0;  // what the planes hold until the step is done is nobody's terrain
     team_.run(sweepers(), [&](int member) {
       const Progress end = sweep_as_member<Lane>(member, start, rows);
       if (member != 0) return;
@@ -125,8 +135,10 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     keep_firsts<Lane>(kernels, slide_plan<Lane>(plan, *progress.law, member, 0), member);
     team_.meet();
   }
+  if (!progress.law->repeated_polling && progress.account.sweep % options_.sweeps != 0) draw_round(progress, member);
   // What members show each other lies in two places in turn: no member is more than one meeting ahead of another.
   for (int turn = 0; goes_on(progress) && ring_rows(progress.highest) <= rows; turn = 1 - turn) {
+    if (!progress.law->repeated_polling && progress.account.sweep % options_.sweeps == 0) draw_round(progress, member);
     SweepPlan<Lane> plan = sweep_plan<Lane>(progress);
     plan.before = before;
     plan.after = after;
@@ -166,6 +178,13 @@ ParallelExecutor::Progress ParallelExecutor::sweep_as_member(int member, Progres
     std::swap(before, after);
   }
   return progress;
+}
+
+/// What a round of non-repeated polling draws; each member takes a part of it.
+void ParallelExecutor::draw_round(const Progress& progress, int member) {
+  const auto [first, end] = share(PolledRows::permutations, member, sweepers());
+  polled_rows_[rows_of_round(progress)].draw(progress.key, progress.account.sweep, options_.sweeps, first, end);
+  team_.meet();
 }
 
 void ParallelExecutor::meet_unless(bool apart) {
@@ -286,8 +305,8 @@ template <typename Lane>
 SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress) const {
   const Planes<Lane>& mine = planes<Lane>();
   SweepPlan<Lane> plan;
-  static_cast<SubSweep&>(plan) =
-      sub_sweep(*progress.law, frame_, open_, progress.key, progress.account, options_.sweeps);
+  static_cast<SubSweep&>(plan) = sub_sweep(*progress.law, frame_, open_, progress.key, progress.account,
+                                           options_.sweeps, polled_rows_[rows_of_round(progress)]);
   plan.layout = layout_;
   plan.before_firsts = mine.firsts.data();
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();
@@ -298,7 +317,7 @@ SweepPlan<Lane> ParallelExecutor::sweep_plan(const Progress& progress) const {
     plan.row_fall = std::min(plan.row_fall, narrow_shadow);
     plan.adjacent_fall = std::min(plan.adjacent_fall, narrow_shadow);
   }
-  plan.warm_up = (progress.highest << fixed_point_bits) / static_cast<int>(plan.row_fall) + 2;
+  plan.warm_up = warm_up_rows(plan, progress.highest);
   plan.hop_by_height = hop_table_.size() > 1;
   plan.hop_table = hop_table_.data();
   return plan;

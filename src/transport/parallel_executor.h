@@ -53,6 +53,16 @@ class ParallelExecutor : public Executor {
     AlignedVector<Lane> seams;                ///< SlidePlan::seam, for each member
   };
 
+  /// What the loaded cover, and the steps that stand under it, were made from.
+  struct CoverSource {
+    std::uint64_t stamp = 0;  ///< 0: none is loaded
+    StandingSteps bare;
+    StandingSteps covered;
+    std::uint8_t covered_from = 0;
+
+    bool operator==(const CoverSource&) const = default;
+  };
+
   /// One time step under way.
   struct Progress {
     const SlabLaw* law = nullptr;
@@ -79,10 +89,13 @@ class ParallelExecutor : public Executor {
   bool narrow_fits(int highest) const { return highest + largest_step_ < 255; }
 
   std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
-  /// Whether `terrain` is the one that was loaded, and nobody has edited it since.
-  bool holds(const Terrain& terrain) const { return loaded_ == &terrain && revision_ == terrain.revision(); }
+  /// Whether what is loaded is what `terrain` holds, or has come out of it by steps.
+  bool holds(const Terrain& terrain) const { return stamp_ == terrain.stamp(); }
   void load(const Terrain& terrain, const WindFrame& frame);
   bool lies_ready_for(const WindFrame& frame) const;
+  bool turn_rows(const WindFrame& frame);
+  template <typename Lane>
+  void turn_rows_of(AlignedVector<Lane>& plane, const PlaneLayout& wanted, bool mirrored);
   template <typename Visit>
   void visit_cells(const Visit& visit);
   template <typename Lane>
@@ -113,6 +126,10 @@ class ParallelExecutor : public Executor {
   static void take_account(Progress& progress, const SubSweep& done, const SweepCounts& counts, int bound);
   template <typename Lane>
   static SweepCounts summed(const std::vector<Strip<Lane>>& strips, int turn);
+  void draw_round(const Progress& progress, int member);
+  /// Which of the polled_rows_ is the round's: two in turn, for a member may draw those of the next round while another
+  /// still polls by this one's.
+  int rows_of_round(const Progress& progress) const { return progress.account.sweep / options_.sweeps % 2; }
   void meet_unless(bool apart);
   template <typename Lane>
   void slide_blocks(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member, bool apart);
@@ -132,8 +149,7 @@ class ParallelExecutor : public Executor {
   GrainBed grains_;
   SnowDrift snow_;
 
-  const Terrain* loaded_ = nullptr;
-  std::uint64_t revision_ = 0;
+  std::uint64_t stamp_ = 0;  ///< of the terrain that is loaded
   WindFrame frame_;
   PlaneLayout layout_;
   bool open_ = false;
@@ -148,10 +164,10 @@ class ParallelExecutor : public Executor {
   AlignedVector<std::uint8_t> cover_;
   AlignedVector<std::uint8_t> lifted_;       ///< of one sub-sweep (SweepPlan::lifted); empty unless lifts are counted
   AlignedVector<std::uint32_t> step_lifts_;  ///< of each cell in this step, with it
-  std::uint64_t cover_revision_ = 0;
-  bool cover_loaded_ = false;
+  CoverSource cover_source_;
   std::vector<std::uint8_t> wall_rows_;
   std::vector<std::uint32_t> hop_table_;
+  PolledRows polled_rows_[2];
   int largest_step_ = 2;
 };
 

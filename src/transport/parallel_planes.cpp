@@ -11,6 +11,7 @@ namespace erg {
 
 void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const TerrainHeights heights = check_height(terrain);
+  stamp_ = 0;
   frame_ = frame;
   open_ = terrain.boundary() == Boundary::open;
   layout_ = plane_layout(frame, open_);
@@ -25,14 +26,60 @@ void ParallelExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   } else {
     load_heights<std::uint16_t>(terrain);
   }
-  cover_loaded_ = false;
-  loaded_ = &terrain;
-  revision_ = terrain.revision();
+  cover_source_ = {};
+  stamp_ = terrain.stamp();
 }
 
 /// Whether the planes already lie as this frame wants them.
 bool ParallelExecutor::lies_ready_for(const WindFrame& frame) const {
   return frame_.same_axes(frame) && layout_.lean == plane_layout(frame, open_).lean;
+}
+
+/// Lays the planes as this frame wants them where it has the same rows: then each is turned round the torus or
+/// mirrored, which costs a swinging wind little. False, and nothing done, where rows become columns or run the other
+/// way.
+bool ParallelExecutor::turn_rows(const WindFrame& frame) {
+  const bool mirrored = frame.step_u != frame_.step_u;
+  const bool same_rows = frame.step_v == frame_.step_v && frame.width == frame_.width && frame.length == frame_.length;
+  if (!same_rows) return false;
+  const PlaneLayout wanted = plane_layout(frame, open_);
+  const auto turn = [&](auto& planes) {
+    turn_rows_of(planes.before, wanted, mirrored);
+    if (relief_) turn_rows_of(planes.bedrock, wanted, mirrored);
+  };
+  if (narrow_) {
+    turn(narrow_planes_);
+  } else {
+    turn(wide_planes_);
+  }
+  layout_ = wanted;
+  frame_ = frame;
+  cover_source_ = {};
+  return true;
+}
+
+template <typename Lane>
+void ParallelExecutor::turn_rows_of(AlignedVector<Lane>& plane, const PlaneLayout& wanted, bool mirrored) {
+  team_.run([&](int member) {
+    std::vector<Lane> places(static_cast<std::size_t>(layout_.width));
+    std::vector<Lane> columns(places.size());
+    const auto [first, end] = share(layout_.length, member, team_.size());
+    for (int row = first; row < end; ++row) {
+      const auto each_block = [&](const auto& copy) {
+        for (int block = 0; block < layout_.blocks; ++block) {
+          copy(plane.data() + layout_.at(block, 0, row), places.data() + block * layout_.block_columns,
+               layout_.columns_of(block));
+        }
+      };
+      each_block([](const Lane* in_plane, Lane* place, int count) { std::copy_n(in_plane, count, place); });
+      std::rotate_copy(places.begin(), places.begin() + layout_.wrapped(-layout_.skew(row)), places.end(),
+                       columns.begin());
+      if (mirrored) std::reverse(columns.begin(), columns.end());
+      std::rotate_copy(columns.begin(), columns.begin() + wanted.wrapped(wanted.skew(row)), columns.end(),
+                       places.begin());
+      each_block([](Lane* in_plane, const Lane* place, int count) { std::copy_n(place, count, in_plane); });
+    }
+  });
 }
 
 /// Calls visit(cell of the frame's plane, cell of the terrain) for all cells, in blocks that suit both orders of
@@ -66,6 +113,7 @@ void ParallelExecutor::visit_cells(const Visit& visit) {
 template <typename Lane>
 void ParallelExecutor::load_heights(const Terrain& terrain) {
   Planes<Lane>& mine = planes<Lane>();
+  mine.rings.clear();  // of a step that failed
   mine.before.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   mine.after.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   mine.bedrock.resize(relief_ ? layout_.block_size * static_cast<std::size_t>(layout_.blocks) : 0);
@@ -90,7 +138,7 @@ void ParallelExecutor::settle(Terrain& terrain) {
   } else {
     write(wide_planes_);
   }
-  revision_ = terrain.revision();
+  stamp_ = terrain.stamp();
 }
 
 void ParallelExecutor::change_lanes(bool narrow) {
@@ -107,7 +155,7 @@ void ParallelExecutor::change_lanes(bool narrow) {
     narrow_planes_ = {};
   }
   narrow_ = narrow;
-  cover_loaded_ = false;
+  cover_source_ = {};
 }
 
 // --- what the law means on this grid ---
@@ -116,13 +164,15 @@ template <typename Lane>
 void ParallelExecutor::load_cover(const SlabLaw& law) {
   if (law.cover == nullptr) {
     cover_.clear();
-    cover_loaded_ = false;
+    cover_source_ = {};
     planes<Lane>().steps.clear();
     planes<Lane>().diagonal_steps.clear();
     return;
   }
-  if (cover_loaded_ && cover_revision_ == law.cover_revision) return;
-  const auto cover = law.cover->cells();
+  const CoverSource source{law.cover->stamp(), law.bare, law.covered, law.covered_from};
+  if (cover_source_ == source) return;
+  cover_source_ = {};
+  const auto cover = (*law.cover)->cells();
   cover_.resize(layout_.block_size * static_cast<std::size_t>(layout_.blocks));
   visit_cells([&](std::size_t here, std::size_t there) { cover_[here] = cover[there]; });
 
@@ -137,8 +187,7 @@ void ParallelExecutor::load_cover(const SlabLaw& law) {
   };
   lay_steps(mine.steps, law.bare.straight, law.covered.straight);
   lay_steps(mine.diagonal_steps, law.bare.diagonal, law.covered.diagonal);
-  cover_revision_ = law.cover_revision;
-  cover_loaded_ = true;
+  cover_source_ = source;
 }
 
 /// Marks the rows whose bedrock may stop a slab: only where it stands higher than a step over the lowest ground.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "transport/fixed_point.h"
 
@@ -39,6 +40,7 @@ StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const Wind
   frame_ = frame;
   law_ = law;
   prepare(law, wind, key);
+  const std::uint64_t stamp = std::exchange(stamp_, 0);  // half way it is nobody's terrain
   let_inflow_enter();
 
   const auto cells = static_cast<std::int64_t>(surface_.size());
@@ -56,11 +58,13 @@ StepReport SerialExecutor::step(Terrain& terrain, const SlabLaw& law, const Wind
   }
   terrain.ledger().in += report_.slabs_in;
   terrain.ledger().out += report_.slabs_out;
+  stamp_ = stamp;
   return report_;
 }
 
 void SerialExecutor::load(const Terrain& terrain, const WindFrame& frame) {
   const TerrainHeights heights = check_height(terrain);
+  stamp_ = 0;
   lowest_ = heights.lowest;
   has_relief_ = heights.relief;
   const auto bedrock = terrain.bedrock().cells();
@@ -76,8 +80,7 @@ void SerialExecutor::load(const Terrain& terrain, const WindFrame& frame) {
     }
   }
   open_ = terrain.boundary() == Boundary::open;
-  loaded_ = &terrain;
-  revision_ = terrain.revision();
+  stamp_ = terrain.stamp();
   count_heights();
 }
 
@@ -87,7 +90,7 @@ void SerialExecutor::settle(Terrain& terrain) {
   for (int u = 0; u < frame_.width; ++u) {
     for (int v = 0; v < frame_.length; ++v) mobile[frame_.cell(u, v)] = surface_[index(u, v)] - bedrock_[index(u, v)];
   }
-  revision_ = terrain.revision();
+  stamp_ = terrain.stamp();
 }
 
 GrainReport SerialExecutor::fly_grains(Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
@@ -112,7 +115,7 @@ void SerialExecutor::prepare(const SlabLaw& law, const WindNow& wind, StepKey ke
   if (law.cover == nullptr) return;
   cover_.resize(surface_.size());
   for (int u = 0; u < frame_.width; ++u) {
-    for (int v = 0; v < frame_.length; ++v) cover_[index(u, v)] = (*law.cover)[frame_.cell(u, v)];
+    for (int v = 0; v < frame_.length; ++v) cover_[index(u, v)] = (**law.cover)[frame_.cell(u, v)];
   }
 }
 

@@ -39,8 +39,8 @@ class SerialExecutor : public Executor {
     double unit() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
   };
 
-  /// Whether `terrain` is the one that was loaded, and nobody has edited it since.
-  bool holds(const Terrain& terrain) const { return loaded_ == &terrain && revision_ == terrain.revision(); }
+  /// Whether what is loaded is what `terrain` holds, or has come out of it by steps.
+  bool holds(const Terrain& terrain) const { return stamp_ == terrain.stamp(); }
   void load(const Terrain& terrain, const WindFrame& frame);
   void prepare(const SlabLaw& law, const WindNow& wind, StepKey key);
   void count_heights();
@@ -72,8 +72,7 @@ class SerialExecutor : public Executor {
   void change(std::size_t cell, int slabs);
 
   WindFrame frame_;
-  std::uint64_t revision_ = 0;
-  const Terrain* loaded_ = nullptr;
+  std::uint64_t stamp_ = 0;  ///< of the terrain that is loaded
   bool open_ = false;
   bool has_relief_ = false;
   // Heights over lowest_, along the wind fastest: a look upwind reads neighbours in memory. 16 bits, since the random

@@ -5,12 +5,15 @@
 #include <cstdint>
 
 #include "core/grid.h"
+#include "core/stamp.h"
 #include "transport/slab_cell.h"
 
 namespace erg {
 
 /// Cover as executors use it: 255 is rho = 1 (nothing lifts, everything that lands stays), 0 is bare.
 using CoverField = Grid<std::uint8_t>;
+/// With the stamp by which executors know whether the cover that they have loaded is still the same.
+using Cover = Stamped<CoverField>;
 /// The cover that an effectiveness rho in [0, 1] means.
 inline std::uint8_t cover_of(float rho) { return static_cast<std::uint8_t>(rho * 255.0f + 0.5f); }
 
@@ -36,6 +39,8 @@ struct StandingSteps {
   int straight = 2;
   int diagonal = 3;  ///< to a diagonal neighbour, sqrt(2) cells away
 
+  bool operator==(const StandingSteps&) const = default;
+
   /// The steps that an angle of repose (degrees) means on this grid.
   static StandingSteps of_angle(double angle, double cell_size, double slab_height);
 };
@@ -44,20 +49,19 @@ struct StandingSteps {
 /// model sets them from its parameters.
 struct SlabLaw {
   HopLaw hop;
-  double p_sand = 0.6;                ///< chance that a slab stays where sand lies
-  double p_bare = 0.4;                ///< chance that it stays on bare ground
-  double shadow_fall = 0.8;           ///< slabs a cell: the shadow line behind a peak
-  bool lift_in_shadow = true;         ///< Werner: yes; Momiji and Bishop: no
-  StandingSteps bare;                 ///< repose of bare sand
-  StandingSteps covered;              ///< repose of the higher cell's sand where its cover >= covered_from
-  std::uint8_t covered_from = 77;     ///< 0.3 of 255
-  int neighbours = 4;                 ///< 4 or 8: where sand slides to
-  bool repeated_polling = true;       ///< false: each cell is polled exactly once a step
-  bool forced_erosion = false;        ///< poll until as many slabs as there are cells have been lifted
-  bool obstacles = true;              ///< slabs drop before bedrock that stands too steeply
-  double inflow = 0;                  ///< open boundary: slabs entering per step and cell of upwind edge
-  const CoverField* cover = nullptr;  ///< not owned; null: bare everywhere
-  std::uint64_t cover_revision = 0;   ///< changes whenever the cover's values do
+  double p_sand = 0.6;             ///< chance that a slab stays where sand lies
+  double p_bare = 0.4;             ///< chance that it stays on bare ground
+  double shadow_fall = 0.8;        ///< slabs a cell: the shadow line behind a peak
+  bool lift_in_shadow = true;      ///< Werner: yes; Momiji and Bishop: no
+  StandingSteps bare;              ///< repose of bare sand
+  StandingSteps covered;           ///< repose of the higher cell's sand where its cover >= covered_from
+  std::uint8_t covered_from = 77;  ///< 0.3 of 255
+  int neighbours = 4;              ///< 4 or 8: where sand slides to
+  bool repeated_polling = true;    ///< false: each cell is polled exactly once a step
+  bool forced_erosion = false;     ///< poll until as many slabs as there are cells have been lifted
+  bool obstacles = true;           ///< slabs drop before bedrock that stands too steeply
+  double inflow = 0;               ///< open boundary: slabs entering per step and cell of upwind edge
+  const Cover* cover = nullptr;    ///< not owned; null: bare everywhere
 };
 
 }  // namespace erg

@@ -21,6 +21,8 @@ enum SnowWord : std::uint64_t { fall = 62, bonds, slides, sweep_words = 80, rows
 
 void SnowDraws::draw_sweeps(StepKey key, int polling) {
   sweeps.resize(static_cast<std::size_t>(polling + longest_flight + 1));
+  PolledRows polled;
+  polled.permute(key, 0, rows, polling, 0, PolledRows::permutations);
   const auto step_key = static_cast<std::uint32_t>(random_word(key, 0, 1, sweep_words));
   for (std::size_t number = 0; number < sweeps.size(); ++number) {
     SnowSweep& sweep = sweeps[number];
@@ -29,9 +31,7 @@ void SnowDraws::draw_sweeps(StepKey key, int polling) {
     sweep.step_key = step_key;
     sweep.key = static_cast<std::uint32_t>(random_word(key, number, 0, sweep_words));
     if (!sweep.polls) continue;
-    std::uint8_t polled[256];
-    permute_rows(key, 0, rows, static_cast<int>(number), polling, polled);
-    std::copy(std::begin(polled), std::end(polled), std::begin(sweep.polled_row));
+    std::ranges::copy(polled.of_sweep[number], std::begin(sweep.polled_row));
   }
 }
 

@@ -3,8 +3,7 @@
 namespace erg {
 
 bool SnowDrift::holds(const Terrain& terrain) const {
-  return of_ == &terrain && revision_ == terrain.revision() && fields_revision_ == terrain.fields_revision() &&
-         layers_.loose.size() == terrain.extent().cells();
+  return stamp_ == terrain.stamp() && fields_stamp_ == terrain.fields_stamp();
 }
 
 void SnowDrift::load(const Terrain& terrain) {
@@ -19,7 +18,7 @@ void SnowDrift::load(const Terrain& terrain) {
 StepReport SnowDrift::step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
                            Executor& executor) {
   if (!holds(terrain)) load(terrain);
-  of_ = nullptr;
+  stamp_ = 0;
   std::vector<Field>& fields = terrain.edit_fields();
   layers_.age = snow_layer(fields, SnowLayer::age).cells();
   layers_.landed = snow_layer(fields, SnowLayer::landed).cells();
@@ -28,9 +27,8 @@ StepReport SnowDrift::step(Terrain& terrain, const SnowStep& snow, const WindNow
   const StepReport report =
       machine_.step(terrain, layers_, snow.law, snow.radii, snow.shadow_fall, wind, key, executor);
   if (snow.shows_strength) write_strength(snow.law, terrain, snow_layer(fields, SnowLayer::strength), executor);
-  of_ = &terrain;
-  revision_ = terrain.revision();
-  fields_revision_ = terrain.fields_revision();
+  stamp_ = terrain.stamp();
+  fields_stamp_ = terrain.fields_stamp();
   return report;
 }
 

@@ -11,7 +11,7 @@ namespace erg {
 
 class SnowDrift {
  public:
-  explicit SnowDrift(InstructionSet instructions = best_instruction_set())
+  explicit SnowDrift(InstructionSet instructions = wanted_instruction_set())
       : instructions_(instructions), machine_(instructions) {}
 
   /// One step on the threads of `executor`, in as many sub-sweeps as it has. The terrain must be settled and have the
@@ -26,9 +26,8 @@ class SnowDrift {
   InstructionSet instructions_;
   SnowMachine machine_;
   SnowLayers layers_;
-  const Terrain* of_ = nullptr;  ///< whose loose snow `layers_` counts
-  std::uint64_t revision_ = 0;
-  std::uint64_t fields_revision_ = 0;
+  std::uint64_t stamp_ = 0;  ///< of the terrain whose loose snow `layers_` counts
+  std::uint64_t fields_stamp_ = 0;
 };
 
 }  // namespace erg

@@ -33,7 +33,7 @@ struct SnowLayers {
 
 class SnowMachine {
  public:
-  explicit SnowMachine(InstructionSet instructions = best_instruction_set()) : instructions_(instructions) {}
+  explicit SnowMachine(InstructionSet instructions = wanted_instruction_set()) : instructions_(instructions) {}
 
   /// One time step. `shadow_fall`: slabs a cell. Throws InputError if the snow has grown too high to be counted.
   StepReport step(Terrain& terrain, SnowLayers& layers, const SnowLaw& law, SnowRadii radii, double shadow_fall,

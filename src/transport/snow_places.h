@@ -17,7 +17,8 @@ struct SnowLayout {
   int places = 0;  ///< in all
 
   std::size_t at(int row, int line) const {
-    return static_cast<std::size_t>(rows[static_cast<std::size_t>(row)] + line * next_line);
+    const int place = rows[static_cast<std::size_t>(row)] + line * next_line;
+    return static_cast<std::size_t>(place);
   }
 };
 

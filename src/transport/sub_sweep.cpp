@@ -14,7 +14,7 @@ namespace erg {
 namespace {
 
 /// What the random words of a step are for; each has a key space of its own.
-enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations, hop_lengths };
+enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations };
 
 void draw_lines(const WindFrame& frame, StepKey key, std::uint64_t line_age, SubSweep& drawn) {
   if (frame.tangent <= 0) return;
@@ -50,25 +50,32 @@ void StepAccount::book(const SubSweep& done, std::int64_t lifted) {
   complete = done.poll_share_16 < whole_share_16;
 }
 
-double hop_rounding(StepKey key) { return random_below(key, 0, 0, hop_lengths, 1u << 16) * 0x1p-16; }
+double hop_rounding(StepKey key) {
+  // Multiples of the golden ratio fill [0, 1) evenly, however few steps there are.
+  const std::uint64_t word = mix64(key.seed) + key.step * 0x9e3779b97f4a7c15u;
+  return static_cast<double>(word >> 48) * 0x1p-16;
+}
 
-void permute_rows(StepKey key, std::uint64_t round, std::uint64_t draw, int sweep, int sweeps,
-                  std::uint8_t (&polled_row)[256]) {
+void PolledRows::permute(StepKey key, std::uint64_t round, std::uint64_t draw, int sweeps, int first, int end) {
   std::array<std::uint8_t, 64> order{};
-  for (std::uint32_t number = 0; number < 256; ++number) {
+  for (int number = first; number < end; ++number) {
     std::iota(order.begin(), order.begin() + sweeps, std::uint8_t{0});
-    std::uint64_t word = random_word(key, round, number, draw);
+    std::uint64_t word = random_word(key, round, static_cast<std::uint64_t>(number), draw);
     for (int last = sweeps - 1; last > 0; --last) {
       word = mix64(word);
       const auto other = static_cast<std::size_t>(((word >> 32) * static_cast<std::uint64_t>(last + 1)) >> 32);
       std::swap(order[static_cast<std::size_t>(last)], order[other]);
     }
-    polled_row[number] = order[static_cast<std::size_t>(sweep)];
+    for (int sweep = 0; sweep < sweeps; ++sweep) of_sweep[sweep][number] = order[static_cast<std::size_t>(sweep)];
   }
 }
 
+void PolledRows::draw(StepKey key, int sweep, int sweeps, int first, int end) {
+  permute(key, static_cast<std::uint64_t>(sweep / sweeps), SweepWord::permutations, sweeps, first, end);
+}
+
 SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, const StepAccount& account,
-                   int sweeps) {
+                   int sweeps, const PolledRows& rows) {
   const int sweep = account.sweep;
   const int round = sweep / sweeps;
   const auto number = static_cast<std::uint64_t>(sweep);
@@ -80,10 +87,9 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   drawn.poll_word = random_word(key, line_age, 0, polls);
   drawn.poll_share_16 = poll_share_16(law, frame, account);
   drawn.permuted = !law.repeated_polling;
-  if (drawn.permuted) {
-    permute_rows(key, static_cast<std::uint64_t>(round), permutations, sweep % sweeps, sweeps, drawn.polled_row);
-  }
+  if (drawn.permuted) std::ranges::copy(rows.of_sweep[sweep % sweeps], drawn.polled_row);
   draw_lines(frame, key, line_age, drawn);
+  drawn.rows_around = frame.width / std::gcd<std::int64_t>(frame.width, drawn.drift) * frame.length;
   drawn.p_sand_16 = static_cast<std::uint32_t>(std::llround(law.p_sand * 65536));
   drawn.p_bare_16 = static_cast<std::uint32_t>(std::llround(law.p_bare * 65536));
   drawn.lift_in_shadow = law.lift_in_shadow;

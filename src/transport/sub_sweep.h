@@ -39,6 +39,9 @@ struct SubSweep {
   bool oblique = false;
   std::int64_t drift = 0;  ///< columns that a line moves over the length of the grid
   std::int64_t phase = 0;  ///< in [0, length)
+  /// Rows after which a line of a torus meets the same cells again: over the length of the grid it moves by whole
+  /// columns, so that after some turns it is back where it was. No shadow comes from further away.
+  std::int64_t rows_around = 0;
 
   std::uint32_t p_sand_16 = 0;  ///< chance * 65536
   std::uint32_t p_bare_16 = 0;
@@ -55,10 +58,17 @@ struct SubSweep {
 /// Rows of a block of lines: each line is polled in at most one row of each block.
 ERG_CELL_RULE int poll_rows(const SubSweep& sweep) { return sweep.permuted ? sweep.sweeps : sweep.sweeps / 2; }
 
-/// 256 permutations of K rows, one for each random byte, as sub-sweep `sweep` of the K of a round sees them: the row of
-/// a block that it polls. `draw`: what random_word calls these words.
-void permute_rows(StepKey key, std::uint64_t round, std::uint64_t draw, int sweep, int sweeps,
-                  std::uint8_t (&polled_row)[256]);
+/// What non-repeated polling draws once for a round of K sub-sweeps: 256 permutations of K rows.
+struct PolledRows {
+  static constexpr int permutations = 256;  ///< one for each random byte
+
+  std::uint8_t of_sweep[64][permutations];  ///< the row of a block that each of the K polls
+
+  /// Draws the permutations [first, end): threads share them out. `draw`: what random_word calls these words.
+  void permute(StepKey key, std::uint64_t round, std::uint64_t draw, int sweeps, int first, int end);
+  /// The same for what sub_sweep needs, in the round that sub-sweep number `sweep` belongs to.
+  void draw(StepKey key, int sweep, int sweeps, int first = 0, int end = permutations);
+};
 
 /// How far a step has come.
 struct StepAccount {
@@ -72,11 +82,12 @@ struct StepAccount {
   void book(const SubSweep& done, std::int64_t lifted);
 };
 
-/// The next sub-sweep of the step `key`, of `sweeps` (K) that make a step of `cells`.
+/// The next sub-sweep of the step `key`, of `sweeps` (K) that make a step. `rows` are drawn for its round;
+/// where polling is repeated nobody looks at them.
 SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, const StepAccount& account,
-                   int sweeps);
+                   int sweeps, const PolledRows& rows);
 
-/// HopCurve::rounding of a step.
+/// HopCurve::rounding of a step; over a few steps in a row its values lie evenly in [0, 1).
 double hop_rounding(StepKey key);
 
 /// A standing step that 16 bits can add to any height; steeper slopes than this need no test.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -32,13 +33,21 @@ int spins_of(int members);
 /// A barrier for some threads.
 class Barrier {
  public:
+  /// What arrive_and_wait throws once one of the threads will not come any more.
+  struct GivenUp {};
+
   /// Before any of them arrives: how many there are.
-  void expect(int members) { members_ = members; }
-  /// `spins`: looks before a thread sleeps.
+  void expect(int members);
+  /// `spins`: looks before a thread sleeps. Throws GivenUp.
   void arrive_and_wait(int spins);
+  /// One of the threads will not come: nobody waits any more, until the next expect.
+  void give_up();
 
  private:
+  void go_on_unless_given_up() const;
+
   int members_ = 1;
+  std::atomic<bool> given_up_{false};
   alignas(cache_line) std::atomic<int> arrived_{0};
   Signal rounds_;
 };
@@ -53,15 +62,17 @@ class ThreadTeam {
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
   int size() const { return size_; }
-  /// Runs `job(member)` on every member and returns when all are done. The job must not throw.
+  /// Runs `job(member)` on every member and returns when all are done. Where a member throws, the others stop at their
+  /// next meeting, and once all are done the caller gets what was thrown first; the team is as good as new.
   void run(const std::function<void(int)>& job) { run(size_, job); }
   /// The same on the first `members` only; 1 to size().
   void run(int members, const std::function<void(int)>& job);
-  /// To be called by every member that has the job from within it.
+  /// To be called by every member that has the job from within it. The job lets pass what this throws.
   void meet() { barrier_.arrive_and_wait(spins_); }
 
  private:
   void serve(int member);
+  void work_as(int member);
   void dismiss();
 
   const int size_;
@@ -69,6 +80,8 @@ class ThreadTeam {
   Barrier barrier_;
   const std::function<void(int)>* job_ = nullptr;  // null: the team goes home
   int members_ = 1;                                // that have it
+  std::atomic<bool> failed_{false};
+  std::exception_ptr failure_;  // what a member threw: the first's, who alone writes it
   Signal jobs_;
   Signal done_;  // members that have finished a job, over all jobs
   std::vector<std::thread> threads_;

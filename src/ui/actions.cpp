@@ -23,9 +23,9 @@ std::string key_name(int key) {
   }
 }
 
-std::string why_not(const Action& action) { return action.unavailable ? action.unavailable() : std::string(); }
+std::string why_not(const MenuAction& action) { return action.unavailable ? action.unavailable() : std::string(); }
 
-void draw_item(const Action& action) {
+void draw_item(const MenuAction& action) {
   if (action.line_above) ImGui::Separator();
   const std::string reason = why_not(action);
   const bool checked = action.checked && action.checked();
@@ -36,14 +36,14 @@ void draw_item(const Action& action) {
 
 }  // namespace
 
-std::string shortcut_text(const Action& action) {
+std::string shortcut_text(const MenuAction& action) {
   if (action.key == 0) return {};
   return (action.ctrl ? "Ctrl+" : "") + key_name(action.key);
 }
 
-void draw_menus(const std::vector<Action>& actions) {
+void draw_menus(const std::vector<MenuAction>& actions) {
   std::vector<std::string> menus;
-  for (const Action& action : actions) {
+  for (const MenuAction& action : actions) {
     if (std::find(menus.begin(), menus.end(), action.menu) == menus.end()) menus.push_back(action.menu);
   }
   for (const std::string& menu : menus) {
@@ -52,7 +52,7 @@ void draw_menus(const std::vector<Action>& actions) {
     if (!open) continue;
     {
       const WidgetScope scope("menu " + menu);
-      for (const Action& action : actions) {
+      for (const MenuAction& action : actions) {
         if (action.menu == menu) draw_item(action);
       }
     }
@@ -60,9 +60,9 @@ void draw_menus(const std::vector<Action>& actions) {
   }
 }
 
-void press_keys(const std::vector<Action>& actions) {
+void press_keys(const std::vector<MenuAction>& actions) {
   const ImGuiIO& io = ImGui::GetIO();
-  for (const Action& action : actions) {
+  for (const MenuAction& action : actions) {
     if (action.key == 0 || action.ctrl != io.KeyCtrl || !ImGui::IsKeyPressed(action.key, false)) continue;
     const bool types = action.key < keys::left && (!action.ctrl || action.key == 'Z' || action.key == 'Y');
     if (io.WantTextInput && types) continue;
@@ -70,9 +70,9 @@ void press_keys(const std::vector<Action>& actions) {
   }
 }
 
-std::vector<KeyHelp> key_help(const std::vector<Action>& actions) {
+std::vector<KeyHelp> key_help(const std::vector<MenuAction>& actions) {
   std::vector<KeyHelp> help;
-  for (const Action& action : actions) {
+  for (const MenuAction& action : actions) {
     if (action.key != 0) help.push_back({action.menu, shortcut_text(action), action.label});
   }
   const std::vector<KeyHelp> land{
@@ -83,6 +83,7 @@ std::vector<KeyHelp> key_help(const std::vector<Action>& actions) {
       {"Land", "W A S D", "fly forwards, left, back, right"},
       {"Land", "Q E", "fly down, up"},
       {"Entries", "double click, Ctrl+click", "type a number into a slider"},
+      {"Entries", "Esc", "close the menu, list or dialog on top"},
   };
   help.insert(help.end(), land.begin(), land.end());
   return help;

@@ -10,7 +10,7 @@
 namespace erg {
 
 /// A thing to be done from a menu or with a key.
-struct Action {
+struct MenuAction {
   std::string menu;   ///< "File"
   std::string label;  ///< in the menu, and in the widget map: "menu File/Open..."
   int key = 0;        ///< place in ImGuiIO::KeysDown (ui/gui.h: keys); 0: none
@@ -22,15 +22,15 @@ struct Action {
 };
 
 /// "Ctrl+O", "Space", "F12"; "" without a key.
-std::string shortcut_text(const Action& action);
+std::string shortcut_text(const MenuAction& action);
 
 /// The menus, in the order in which their names first appear.
-void draw_menus(const std::vector<Action>& actions);
+void draw_menus(const std::vector<MenuAction>& actions);
 
 /// Does what the keys pressed in this frame ask for. Letters and space type where something is being typed.
-void press_keys(const std::vector<Action>& actions);
+void press_keys(const std::vector<MenuAction>& actions);
 
 /// The keys of the table, and those of the land.
-std::vector<KeyHelp> key_help(const std::vector<Action>& actions);
+std::vector<KeyHelp> key_help(const std::vector<MenuAction>& actions);
 
 }  // namespace erg

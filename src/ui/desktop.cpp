@@ -8,6 +8,7 @@
 #include <deque>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <stdexcept>
 
 #include "io/png.h"
@@ -77,7 +78,7 @@ class Desktop final : public Stage {
   ImTextureID picture(const std::filesystem::path& path) override;
   void save_picture(const PictureOrder& order) override;
   float frames_per_second() const override { return frame_rate_; }
-  int screen_height() const override { return window_.screen_height(); }
+  double suggested_scale() const override { return window_.suggested_scale(); }
   void close() override { window_.close(); }
 
  private:
@@ -88,6 +89,7 @@ class Desktop final : public Stage {
 
   const std::function<bool()> asked_to_end_;
   Studio studio_;
+  std::unique_ptr<StillPainter> stills_ = std::make_unique<StillPainter>();  // before the window, as it asks
   Gui gui_;  // before the window, whose input goes into it
   Window window_;
   GuiRenderer renderer_;
@@ -113,11 +115,16 @@ Desktop::Desktop(const DesktopRequest& request)
     : asked_to_end_(request.asked_to_end),
       studio_(request.folders),
       window_(options(request, studio_.settings())),
-      land_(window_.is_software()),
+      land_(window_.is_software(), stills_.get()),
       shell_(studio_, *this, gui_),
       map_(request.widget_map) {
+  if (!window_.is_software()) stills_.reset();  // a graphics card is quick enough by itself
   if (request.scale > 0) studio_.settings().scale = request.scale;
   studio_.log().information("drawing with " + window_.driver());
+  if (const std::string why = studio_.why_not_kept(); !why.empty()) {
+    std::fprintf(stderr, "erg: %s\n", why.c_str());
+    studio_.log().warning(why);
+  }
   if (!request.open.empty()) {
     if (!studio_.open(request.open)) shell_.open(panel_title::log);
   } else {
@@ -142,15 +149,16 @@ void Desktop::save_picture(const PictureOrder& order) {
   look.transparent = order.transparent;
   look.legend = shell_.scenery().legend;
   const Picture picture = land_.picture(*run, look, shell_.scenery().camera.camera(), order.size);
-  write_png(order.path, picture.image, metadata(studio_.provenance()));
+  write_run_png(order.path, picture.image, studio_.provenance());
 }
 
 bool Desktop::busy() {
   const Activity activity = studio_.now().activity;
   const bool moving = activity == Activity::running || activity == Activity::building;
   const bool view_to_come = studio_.now().has_runs() && !shell_.scenery().wanted_view.empty();
-  return moving || view_to_come || land_.unfinished() || studio_.runner().snapshot()->number != shown_snapshot_ ||
-         studio_.log().version() != shown_log_;
+  // A brush that is held goes on pouring; a slider that is held follows.
+  return moving || view_to_come || ImGui::IsAnyMouseDown() || land_.unfinished() ||
+         studio_.runner().snapshot()->number != shown_snapshot_ || studio_.log().version() != shown_log_;
 }
 
 bool Desktop::must_close() {

@@ -70,7 +70,8 @@ void ExportPanel::draw(Desk& desk) {
                         .unavailable = busy ? "One file is being written." : "",
                         .look = ButtonLook::accent})) {
     file_.set_endings({format.ending});
-    file_.ask(studio.settings(), studio.suggested_name("-" + std::to_string(studio.now().step()) + format.ending));
+    file_.ask(studio.settings(),
+              studio.suggested_name("-" + std::to_string(studio.now().step()) + format.suffix + format.ending));
   }
   if (running != nullptr) draw_export(*running);
   if (const auto file = file_.draw(studio)) studio.start_export(*file, format.key);

@@ -75,7 +75,8 @@ void FileBrowser::draw_places(Studio& studio) {
 }
 
 void FileBrowser::draw_path_line() {
-  const Gui& gui = Gui::current();
+  Gui& gui = Gui::current();
+  gui.need(path_text_);
   if (button("UP", {.tooltip = "The folder above."})) go_to(listing_.folder.parent_path());
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-gui.px(190));
@@ -138,6 +139,7 @@ void FileBrowser::draw_entries() {
 
 void FileBrowser::draw_name_line() {
   const float buttons = Gui::current().px(210);
+  Gui::current().need(name_);
   ImGui::SetNextItemWidth(-buttons);
   const bool entered = ImGui::InputTextWithHint("##name", task_.saving ? "name of the file" : "a file from above",
                                                 &name_, ImGuiInputTextFlags_EnterReturnsTrue);

@@ -16,7 +16,7 @@ class OpenPanel final : public Panel {
     const auto file = browser_.draw(desk.studio);
     if (file) {
       desk.leave("OPEN", Leaves::everything, [&desk, path = *file] {
-        if (!desk.studio.open(path)) desk.open(panel_title::log);  // it says what is wrong with the file
+        if (!desk.studio.open_and_play(path)) desk.open(panel_title::log);  // it says what is wrong with the file
       });
     }
     if (file || browser_.cancelled()) desk.close(title());

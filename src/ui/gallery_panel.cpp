@@ -95,7 +95,7 @@ bool GalleryPanel::draw_card(Desk& desk, const Card& card) const {
   const Gui& gui = Gui::current();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight();
-  const ImVec2 size{gui.px(card_width), gui.px(picture_height) + 2 * line + gui.px(14)};
+  const ImVec2 size{gui.px(card_width), gui.px(picture_height) + 3 * line + gui.px(14)};
   const ImVec2 end{corner.x + size.x, corner.y + size.y};
   const bool pressed = ImGui::InvisibleButton(card.preset.name.c_str(), size);
   mark(card.preset.name);
@@ -104,15 +104,26 @@ bool GalleryPanel::draw_card(Desk& desk, const Card& card) const {
   list.AddRectFilled(corner, end, ImGui::GetColorU32(gui.theme().ground), gui.px(4));
   draw_picture(desk, card, corner, {end.x, corner.y + gui.px(picture_height)});
   const ImVec2 text{corner.x + gui.px(8), corner.y + gui.px(picture_height + 5)};
-  const auto write = [&](float top, const ImVec4& colour, const std::string& words) {
-    const float right = end.x - gui.px(8);
+  const float right = end.x - gui.px(8);
+  const auto write = [&](float top, const ImVec4& colour, const char* words, const char* words_end) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::RenderTextEllipsis(&list, {text.x, top}, {right, top + line}, right, right, words.data(),
-                              words.data() + words.size(), nullptr);
+    ImGui::RenderTextEllipsis(&list, {text.x, top}, {right, top + line}, right, right, words, words_end, nullptr);
     ImGui::PopStyleColor();
   };
-  write(text.y, gui.theme().text, card.title);
-  write(text.y + line + gui.px(2), gui.theme().faint, card.model);
+  // A long title has two lines.
+  Gui::current().need(card.title);
+  const char* const title_end = card.title.data() + card.title.size();
+  const char* const first_end =
+      ImGui::GetFont()->CalcWordWrapPositionA(1, card.title.data(), title_end, right - text.x);
+  write(text.y, gui.theme().text, card.title.data(), first_end);
+  const char* rest = first_end;
+  while (rest != title_end && *rest == ' ') ++rest;
+  float below = text.y + line;
+  if (rest != title_end) {
+    write(below, gui.theme().text, rest, title_end);
+    below += line;
+  }
+  write(below + gui.px(2), gui.theme().faint, card.model.data(), card.model.data() + card.model.size());
   list.AddRect(corner, end, ImGui::GetColorU32(hot ? gui.theme().accent : gui.theme().edge), gui.px(4), 0,
                hot ? gui.px(2) : 1.0f);
   tooltip(card.title + "\n" + card.description + "\n\nClick: it opens and grows.");

@@ -4,7 +4,12 @@
 #include <imgui.h>
 
 #include <functional>
+#include <list>
+#include <set>
+#include <string>
+#include <string_view>
 
+#include "ui/fonts.h"
 #include "ui/theme.h"
 #include "ui/widget_map.h"
 
@@ -44,11 +49,19 @@ class Gui {
   /// Counts up whenever the texture of the letters has to be uploaded anew.
   int font_version() const { return font_version_; }
 
+  /// Says that this text, UTF-8, is to be drawn: letters that are not loaded yet are from the next frame on, where any
+  /// font of the machine has them. Cheap for letters that are there. For words that come from people and files.
+  void need(std::string_view text);
+  /// Letters that no font has, since this was last asked: each with its number in Unicode; "" when there are none.
+  std::string take_missing_letters();
+
   /// Draws one frame of this size in pixels; `seconds` since the last one.
   void frame(ImVec2 size, float seconds, const std::function<void()>& draw);
 
  private:
   void load_fonts();
+  void load_more_letters(const ImFontConfig& like);
+  void note_missing_letters();
 
   ImGuiContext* context_ = nullptr;
   Theme theme_;
@@ -56,6 +69,12 @@ class Gui {
   ImFont* heading_font_ = nullptr;
   WidgetMap widgets_;
   int font_version_ = 0;
+  FontFinder fonts_;
+  std::list<ImVector<ImWchar>> font_ranges_;
+  std::set<char32_t> more_letters_;  ///< beyond those that are always loaded
+  std::set<char32_t> no_font_has_;
+  std::string missing_;  ///< of those, what nobody was told yet
+  bool fonts_stale_ = false;
 };
 
 }  // namespace erg

@@ -55,7 +55,8 @@ PicturePoint to_picture(ImVec2 pixel, const WindowPart& part) {
 }
 
 void draw_plate(ImVec2 low_left, const std::string& text, const ImVec4& colour) {
-  const Gui& gui = Gui::current();
+  Gui& gui = Gui::current();
+  gui.need(text);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const float pad = gui.px(6);
   ImDrawList& list = *ImGui::GetWindowDrawList();

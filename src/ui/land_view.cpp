@@ -52,6 +52,16 @@ struct LandView::Pane final : LandGround {
   Clock::time_point changed;
   Clock::time_point drawn;
   Clock::duration cost{};  // of that drawing
+  /// What a picture depends on.
+  struct Drawing {
+    std::uint64_t version = 0;
+    WindowPart part;
+    Look look;
+    Camera camera;
+    bool operator==(const Drawing&) const = default;
+  };
+  Drawing drawing() const { return {version, drawn_part, look, camera}; }
+  Drawing ordered;  // from the painter of still pictures
   // The terrain is held as long as the renderer may be asked about it.
   std::shared_ptr<const Terrain> terrain;
   LandBox land;
@@ -63,23 +73,30 @@ struct LandView::Pane final : LandGround {
   double height(double east, double north) const override { return renderer.ground_height(east, north); }
 };
 
-LandView::LandView(bool software) : software_(software) {}
+LandView::LandView(bool software, StillPainter* stills)
+    : software_(software), stills_(software && stills != nullptr && stills->works() ? stills : nullptr) {}
 LandView::~LandView() = default;
 
+/// At once, where something differs from what is shown.
 void LandView::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless) {
-  const TerrainView view = view_of_run(run);
   const Clock::time_point now = Clock::now();
   const bool by_hand = !(pane.part == pane.drawn_part) || !(look == pane.look) || !(camera == pane.camera);
-  const bool differs = by_hand || view.version != pane.version;
+  const bool differs = by_hand || view_of_run(run).version != pane.version;
   if (differs || restless) pane.changed = now;
-  const bool refine = !pane.fine && now - pane.changed >= rest;
-  if (!differs && !refine) return;
+  if (!differs) return;
   // Land that changes by itself may be drawn seldom: where drawing is slow, the controls come first.
-  if (!by_hand && !refine && now - pane.drawn < breathing_space * pane.cost) return;
-  pane.fine = refine && !differs;
-  pane.renderer.set_effort(pane.fine ? effort_at_rest(software_) : RenderEffort::moving(software_));
+  if (!by_hand && now - pane.drawn < breathing_space * pane.cost) return;
+  paint(pane, run, look, camera, false);
+  pane.drawn = Clock::now();
+  pane.cost = pane.drawn - now;
+}
+
+void LandView::paint(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool fine) {
+  const TerrainView view = view_of_run(run);
+  pane.fine = fine;
+  pane.renderer.set_effort(fine ? effort_at_rest(software_) : RenderEffort::moving(software_));
   // Twice the pixels each way, averaged as they are copied into the window, make edges smooth.
-  pane.scale = pane.fine && !software_ ? 2 : 1;
+  pane.scale = fine && !software_ ? 2 : 1;
   const int width = pane.scale * pane.part.width;
   const int height = pane.scale * pane.part.height;
   pane.target.prepare(width, height);
@@ -92,8 +109,48 @@ void LandView::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, c
   pane.drawn_part = pane.part;
   pane.look = look;
   pane.camera = camera;
-  pane.drawn = Clock::now();
-  pane.cost = pane.drawn - now;
+}
+
+/// Nothing has changed for a while, in any of the runs: those that are compared are always drawn alike.
+bool LandView::rested() const {
+  const Clock::time_point now = Clock::now();
+  return std::ranges::all_of(panes_, [now](const auto& pane) { return now - pane->changed >= rest; });
+}
+
+void LandView::refine(const Snapshot& snapshot, const Look& look, const Camera& camera) {
+  if (!rested() || std::ranges::all_of(panes_, [](const auto& pane) { return pane->fine; })) return;
+  if (stills_ == nullptr) {
+    for (std::size_t i = 0; i < panes_.size(); ++i) paint(*panes_[i], snapshot.runs[i], look, camera, true);
+    return;
+  }
+  if (auto pictures = stills_->take(); pictures && take_stills(std::move(*pictures))) return;
+  if (!stills_->busy()) order_stills(snapshot, look, camera);
+}
+
+void LandView::order_stills(const Snapshot& snapshot, const Look& look, const Camera& camera) {
+  StillOrder order{{}, look, camera, effort_at_rest(software_)};
+  for (std::size_t i = 0; i < panes_.size(); ++i) {
+    Pane& pane = *panes_[i];
+    order.parts.push_back({snapshot.runs[i], pane.part.width, pane.part.height});
+    pane.ordered = pane.drawing();
+  }
+  stills_->order(std::move(order));
+}
+
+/// Shows what was drawn meanwhile; false where that is not what should be seen any more.
+bool LandView::take_stills(std::vector<StillPicture> pictures) {
+  const bool as_ordered =
+      std::ranges::all_of(panes_, [](const auto& pane) { return pane->ordered == pane->drawing(); });
+  if (!as_ordered) return false;
+  for (std::size_t i = 0; i < panes_.size(); ++i) {
+    Pane& pane = *panes_[i];
+    pane.fine = true;
+    if (i >= pictures.size()) continue;  // it could not be drawn: what is there stays
+    pane.target.prepare(pictures[i].width, pictures[i].height);
+    pane.target.write(pictures[i].pixels);
+    pane.notes = std::move(pictures[i].notes);
+  }
+  return true;
 }
 
 void LandView::show(const Pane& pane, int window_height) const {
@@ -116,14 +173,18 @@ std::vector<std::string> LandView::draw(const Snapshot& snapshot, const Look& lo
     Pane& pane = *panes_[index];
     pane.part = parts[index];
     draw_pane(pane, snapshot.runs[index], look, camera, restless);
-    show(pane, window_height);
-    notes.insert(notes.end(), pane.notes.begin(), pane.notes.end());
+  }
+  refine(snapshot, look, camera);
+  for (const auto& pane : panes_) {
+    show(*pane, window_height);
+    notes.insert(notes.end(), pane->notes.begin(), pane->notes.end());
   }
   return notes;
 }
 
 bool LandView::unfinished() const {
-  return std::any_of(panes_.begin(), panes_.end(), [](const std::unique_ptr<Pane>& pane) { return !pane->fine; });
+  const bool all_fine = std::ranges::all_of(panes_, [](const auto& pane) { return pane->fine; });
+  return !all_fine && rested() && (stills_ == nullptr || !stills_->busy());
 }
 
 const LandGround* LandView::ground(std::size_t run) const { return run < panes_.size() ? panes_[run].get() : nullptr; }

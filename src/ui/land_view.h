@@ -12,6 +12,7 @@
 #include "render/renderer.h"
 #include "studio/snapshot.h"
 #include "ui/land_camera.h"
+#include "ui/still_painter.h"
 
 namespace erg {
 
@@ -31,8 +32,9 @@ struct WindowPart {
 /// Lives with one OpenGL context, which must be current whenever it is used and when it goes.
 class LandView {
  public:
-  /// `software`: the processor draws.
-  explicit LandView(bool software);
+  /// `software`: the processor draws. `stills`, which must outlive it, then draws the pictures at rest; null: this
+  /// thread does.
+  explicit LandView(bool software, StillPainter* stills = nullptr);
   ~LandView();
   LandView(const LandView&) = delete;
   LandView& operator=(const LandView&) = delete;
@@ -42,7 +44,7 @@ class LandView {
   std::vector<std::string> draw(const Snapshot& snapshot, const Look& look, const Camera& camera,
                                 const std::vector<WindowPart>& parts, int window_height, bool restless);
 
-  /// A picture is still coarser than it will be, so frames should go on.
+  /// A picture is still coarser than it will be, and the next frame can do something about it.
   bool unfinished() const;
 
   /// The ground of a run as it was drawn last; null before.
@@ -54,9 +56,15 @@ class LandView {
  private:
   struct Pane;
   void draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless);
+  void paint(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool fine);
+  void refine(const Snapshot& snapshot, const Look& look, const Camera& camera);
+  void order_stills(const Snapshot& snapshot, const Look& look, const Camera& camera);
+  bool take_stills(std::vector<StillPicture> pictures);
+  bool rested() const;
   void show(const Pane& pane, int window_height) const;
 
   bool software_;
+  StillPainter* stills_;
   std::vector<std::unique_ptr<Pane>> panes_;
 };
 

@@ -69,7 +69,7 @@ std::vector<LandPart> LandWindow::lands(const Snapshot& now) const {
   return all;
 }
 
-void LandWindow::take_wanted_view(const std::vector<LandPart>& lands) {
+void LandWindow::take_wanted_view(const Snapshot& now, const std::vector<LandPart>& lands) {
   if (lands.empty()) return;
   const Terrain& terrain = *lands.front().run->terrain;
   const std::array<double, 2> extent{terrain.nx() * terrain.cell_size(), terrain.ny() * terrain.cell_size()};
@@ -77,7 +77,9 @@ void LandWindow::take_wanted_view(const std::vector<LandPart>& lands) {
   if (scenery_.wanted_view.empty() && extent != extent_) {
     scenery_.wanted_view = scenery_.camera.camera().orthographic ? "top" : "block";
   }
+  if (scenery_.wanted_view.empty() && now.creations != creations_) scenery_.wanted_view = "frame";
   extent_ = extent;
+  creations_ = now.creations;
   if (scenery_.wanted_view.empty()) return;
   const LandBox box = Renderer::land_of(view_of_run(*lands.front().run), scenery_.look);
   scenery_.camera.choose(scenery_.wanted_view, box, lands.front().part.aspect());
@@ -95,7 +97,7 @@ void LandWindow::take_input(Desk& desk, WindowPart area) {
   tool_ = desk.tool;
   desk.tool = LandTool::camera;  // a panel that wants another says so in every frame
   const std::vector<LandPart> all = lands(now);
-  take_wanted_view(all);
+  take_wanted_view(now, all);
 
   ImGui::SetNextWindowPos(corner_of(area));
   ImGui::SetNextWindowSize(size_of(area));
@@ -126,7 +128,7 @@ void LandWindow::take_input(Desk& desk, WindowPart area) {
   if (hovered && ImGui::IsMouseClicked(0)) desk.studio.set_active(under_pointer_);
   if (land.ground == nullptr) return;
   point(desk, land, hovered);
-  move_camera(land, hovered);
+  move_camera(desk, land, hovered);
 }
 
 void LandWindow::point(Desk& desk, const LandPart& land, bool hovered) {
@@ -145,7 +147,7 @@ void LandWindow::point(Desk& desk, const LandPart& land, bool hovered) {
   desk.land.held = active_ && ImGui::IsMouseDown(0);
 }
 
-void LandWindow::move_camera(const LandPart& land, bool hovered) {
+void LandWindow::move_camera(const Desk& desk, const LandPart& land, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   CameraInput input;
   input.cursor = to_picture(io.MousePos, land.part);
@@ -157,7 +159,7 @@ void LandWindow::move_camera(const LandPart& land, bool hovered) {
   input.right = io.MouseDelta.x / land.part.height;
   input.up = -io.MouseDelta.y / land.part.height;
   if (hovered) input.wheel = io.MouseWheel;
-  if (!io.WantTextInput && !io.KeyCtrl) {
+  if (!io.WantTextInput && !io.KeyCtrl && !desk.keys_taken) {
     input.forwards = pressed('W', 'S');
     input.sideways = pressed('D', 'A');
     input.rise = pressed('E', 'Q');

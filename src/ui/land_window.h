@@ -35,8 +35,8 @@ class LandWindow {
 
  private:
   std::vector<LandPart> lands(const Snapshot& now) const;
-  void take_wanted_view(const std::vector<LandPart>& lands);
-  void move_camera(const LandPart& land, bool hovered);
+  void take_wanted_view(const Snapshot& now, const std::vector<LandPart>& lands);
+  void move_camera(const Desk& desk, const LandPart& land, bool hovered);
   void point(Desk& desk, const LandPart& land, bool hovered);
   void draw_lands(const Desk& desk, const std::vector<LandPart>& lands) const;
   void draw_captions(const Desk& desk, const std::vector<LandPart>& lands) const;
@@ -48,6 +48,7 @@ class LandWindow {
   GroundOfRun ground_;
   WindowPart area_;
   std::array<double, 2> extent_{};  // of the land that the camera was last placed for, m
+  std::uint64_t creations_ = 0;     // of the runs that the camera was last placed for
   std::vector<WindowPart> parts_;
   std::vector<std::string> notes_;
   std::size_t under_pointer_ = 0;  // the part

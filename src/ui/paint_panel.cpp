@@ -1,18 +1,27 @@
 // PAINT: brushes of sand, rock and plants.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
 #include "core/units.h"
 #include "studio/studio.h"
+#include "ui/axis_ticks.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace erg {
 namespace {
 
-constexpr std::int64_t most_amount = 50;
+constexpr double most_slabs = 1000;  // of one touch
 constexpr double least_strength = 0.01;
+// So that a stroke is seen at once, on a small land and on a large one: shares of the land's shorter side and of the
+// brush's radius. Such a heap is a hill, and its sides are less steep than sand stands.
+constexpr double usual_radius = 1.0 / 24;
+constexpr double usual_height = 0.12;
+constexpr double spacing = 0.25;           // of the radius, from dab to dab of a stroke
+constexpr double seconds_of_a_dab = 0.12;  // while the brush is held still
+constexpr int most_dabs = 400;             // between two frames
 
 // A button that stays down while `chosen`; true when it was pressed.
 bool choice(const std::string& label, bool chosen, float width, const std::string& hint) {
@@ -35,20 +44,36 @@ class PaintPanel final : public Panel {
   void draw_materials(const RunSnapshot& run);
   void draw_layers(const RunSnapshot& run);
   void draw_brush(const RunSnapshot& run);
+  void draw_amount(const Terrain& terrain);
   static void draw_undo(Studio& studio);
   void stroke(Desk& desk);
+  void put_dab(Studio& studio, double x, double y) const;
+  double radius(const Terrain& terrain) const;
+  double amount(const Terrain& terrain) const;
   void mark_rim(Desk& desk) const;
 
   bool on_ = false;
   BrushMaterial material_ = BrushMaterial::sand;
   std::string field_;  // the layer's key, for BrushMaterial::field
   bool takes_ = false;
-  double radius_ = 8;
-  std::int64_t amount_ = 2;
+  std::optional<double> radius_;  ///< cells; none: as suits the land
+  std::optional<double> amount_;  ///< m; none: as suits the radius
   double strength_ = 0.25;
   std::uint64_t stroke_ = 0;
-  std::optional<CellPlace> last_;
+  std::optional<std::array<double, 2>> last_;  ///< cells: where the stroke's last dab went
+  double held_still_ = 0;                      ///< s since that dab
 };
+
+double PaintPanel::radius(const Terrain& terrain) const {
+  const double usual = std::clamp(std::round(usual_radius * std::min(terrain.nx(), terrain.ny())), 3.0, 64.0);
+  return radius_.value_or(usual);
+}
+
+double PaintPanel::amount(const Terrain& terrain) const {
+  const double usual = usual_height * radius(terrain) * terrain.cell_size();
+  const double slab = terrain.quantum();
+  return amount_.value_or(slab * std::clamp(std::round(usual / slab), 1.0, most_slabs));
+}
 
 void PaintPanel::draw_materials(const RunSnapshot& run) {
   const bool snow = find_model(run.config->model).info.material == Material::snow;
@@ -87,19 +112,36 @@ void PaintPanel::draw_brush(const RunSnapshot& run) {
   if (choice("PUT", !takes_, half, "Each touch adds.")) takes_ = false;
   ImGui::SameLine();
   if (choice("TAKE", takes_, half, "Each touch takes away.")) takes_ = true;
-  real_row({.label = "radius", .unit = "cells", .tooltip = "From the middle of the brush to its rim."}, radius_, 1,
-           128);
-  if (material_ != BrushMaterial::field) {
-    integer_row(
-        {.label = "amount", .unit = "slabs", .tooltip = "Slabs at the middle for each touch; fewer toward the rim."},
-        amount_, 1, most_amount);
-    return;
-  }
+  double cells = radius(*run.terrain);
+  const RowEvent event = real_row({.label = "radius",
+                                   .unit = "cells",
+                                   .tooltip = "From the middle of the brush to its rim. A cell is " +
+                                              figure_text(run.terrain->cell_size()) + " m wide.",
+                                   .changed = radius_.has_value()},
+                                  cells, 1, 128);
+  if (event == RowEvent::changed) radius_ = cells;
+  if (event == RowEvent::reset) radius_.reset();
+  if (material_ != BrushMaterial::field) return draw_amount(*run.terrain);
   const FieldInfo& info = find_field(run.terrain->fields(), field_)->info;
   real_row({.label = "strength",
             .unit = info.unit,
             .tooltip = "What each touch adds at the middle; less toward the rim. It stays within the layer's range."},
            strength_, least_strength, info.maximum - info.minimum);
+}
+
+void PaintPanel::draw_amount(const Terrain& terrain) {
+  const double slab = terrain.quantum();
+  double metres = amount(terrain);
+  const RowEvent event =
+      real_row({.label = "amount",
+                .unit = "m",
+                .tooltip = "Height at the middle for each touch; less toward the rim. Holding the brush still goes on "
+                           "touching. It is put in whole slabs of " +
+                           figure_text(slab) + " m.",
+                .changed = amount_.has_value()},
+               metres, slab, most_slabs * slab);
+  if (event == RowEvent::changed) amount_ = slab * std::max(1.0, std::round(metres / slab));
+  if (event == RowEvent::reset) amount_.reset();
 }
 
 void PaintPanel::draw_undo(Studio& studio) {
@@ -128,30 +170,52 @@ void PaintPanel::stroke(Desk& desk) {
     ++stroke_;
     last_.reset();
   }
-  if (!(land.pressed || land.held) || !land.cell || land.cell == last_) return;
-  // A dab every half radius is enough: the brush falls off smoothly.
-  if (last_ && std::hypot(land.cell->x - last_->x, land.cell->y - last_->y) < 0.5 * radius_) return;
-  last_ = land.cell;
+  if (!land.cell) last_.reset();  // what comes in again elsewhere begins there
+  if (!(land.pressed || land.held) || !land.cell) return;
+  const std::array<double, 2> here{land.cell->x + 0.5, land.cell->y + 0.5};
+  held_still_ += static_cast<double>(ImGui::GetIO().DeltaTime);
+  if (!last_ || held_still_ >= seconds_of_a_dab) {
+    put_dab(desk.studio, here[0], here[1]);
+    last_ = here;
+    held_still_ = 0;
+    return;
+  }
+  // However far the pointer has come since the last frame, the stroke has no gaps.
+  const double gap = std::max(1.0, spacing * radius(*desk.studio.active_run()->terrain));
+  const std::array<double, 2> from = *last_;
+  const double way = std::hypot(here[0] - from[0], here[1] - from[1]);
+  const int dabs = std::min(static_cast<int>(way / gap), most_dabs);
+  for (int dab = 1; dab <= dabs; ++dab) {
+    const double part = dab * gap / way;
+    last_ = {from[0] + part * (here[0] - from[0]), from[1] + part * (here[1] - from[1])};
+    put_dab(desk.studio, (*last_)[0], (*last_)[1]);
+    held_still_ = 0;
+  }
+}
+
+void PaintPanel::put_dab(Studio& studio, double x, double y) const {
+  const Terrain& terrain = *studio.active_run()->terrain;
+  const auto slabs = static_cast<std::int32_t>(std::lround(amount(terrain) / terrain.quantum()));
   Dab dab;
   dab.material = material_;
-  dab.x = land.cell->x + 0.5;
-  dab.y = land.cell->y + 0.5;
-  dab.radius = radius_;
-  dab.amount = static_cast<std::int32_t>(takes_ ? -amount_ : amount_);
+  dab.x = x;
+  dab.y = y;
+  dab.radius = radius(terrain);
+  dab.amount = takes_ ? -slabs : slabs;
   dab.field = field_;
   dab.strength = takes_ ? -strength_ : strength_;
-  desk.studio.runner().paint(desk.studio.shown(), dab, stroke_);
+  studio.runner().paint(studio.shown(), dab, stroke_);
 }
 
 void PaintPanel::mark_rim(Desk& desk) const {
   if (!desk.land.cell) return;
+  const double reach = radius(*desk.studio.active_run()->terrain);
   LandMark rim;
   rim.closed = true;
   constexpr int corners = 48;
   for (int corner = 0; corner < corners; ++corner) {
     const double angle = radians(360.0 * corner / corners);
-    rim.points.push_back(
-        {desk.land.cell->x + radius_ * std::cos(angle), desk.land.cell->y + radius_ * std::sin(angle)});
+    rim.points.push_back({desk.land.cell->x + reach * std::cos(angle), desk.land.cell->y + reach * std::sin(angle)});
   }
   desk.marks.push_back(rim);
 }

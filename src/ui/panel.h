@@ -63,6 +63,8 @@ struct Desk {
   std::function<ImTextureID(const std::filesystem::path& path)> picture;
   /// Every key and mouse movement of the window, from the one table that the menus are made of.
   std::vector<KeyHelp> keys;
+  /// A dialog, a menu or a question has the keyboard: keys do nothing to the land.
+  bool keys_taken = false;
 };
 
 /// Where a panel lies.

@@ -33,9 +33,10 @@ bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
   const LostSession lost = desk.studio.lost_sessions()[index];
   const WidgetScope scope("session " + std::to_string(index + 1));
   ImGui::Separator();
-  ImGui::TextUnformatted((lost.title.empty() ? "Untitled" : lost.title).c_str());
+  say(lost.title.empty() ? "Untitled" : lost.title, Gui::current().theme().text);
   const std::string runs = lost.runs > 1 ? ", " + std::to_string(lost.runs) + " runs" : "";
-  explain("step " + std::to_string(lost.step) + runs + ", saved " + lost.saved_at);
+  const std::string step = lost.step > 0 ? "step " + std::to_string(lost.step) : std::string("from its checkpoint");
+  explain(step + runs + ", saved " + lost.saved_at);
   if (button("RECOVER", {.tooltip = "Goes on from there, paused.", .look = ButtonLook::accent})) {
     // A question may come first, and the list be another when it is answered.
     desk.leave("RECOVER", Leaves::everything, [&desk, folder = lost.folder] { recover(desk, folder); });

@@ -1,5 +1,7 @@
 // SETUP: what the run is made of.
+#include "studio/step_cost.h"
 #include "studio/studio.h"
+#include "ui/axis_ticks.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"
 #include "ui/setup_rows.h"
@@ -35,12 +37,14 @@ class SetupPanel final : public Panel {
 
  private:
   static void draw_run_choice(Studio& studio);
-  static void draw_buttons(Desk& desk, const Config* running);
+  void draw_buttons(Desk& desk, const Config* running);
+  void draw_cost(const Config& config);
   static void draw_model(Setup& setup);
   void draw_groups(Setup& setup, const Config* running, const Settings& settings);
   void draw_rows(Setup& setup, const std::string& group, const Config* running, const Settings& settings);
   static void draw_seed(Setup& setup);
 
+  StepCost cost_;
   std::string picture_group_;  ///< group and key of the path that the browser is asked for
   std::string picture_key_;
   FilePopup picture_{{.title = "CHOOSE A PICTURE", .action = "CHOOSE", .endings = {".png"}}};
@@ -77,6 +81,17 @@ void SetupPanel::draw_buttons(Desk& desk, const Config* running) {
     studio.setup().reset_all();
   }
   for (const Mistake& mistake : mistakes) say(mistake.text(), Gui::current().theme().lost);
+  if (needed && mistakes.empty()) draw_cost(studio.setup().config());
+}
+
+/// What will crawl says so before it is made.
+void SetupPanel::draw_cost(const Config& config) {
+  constexpr double slow = 0.3;  // s a step
+  const std::optional<double> seconds = cost_.of(config);
+  if (!seconds || *seconds < slow) return;
+  say("A step will take about " + figure_text(*seconds, 2) + " s on this machine; fewer cells make it faster.",
+      Gui::current().theme().accent);
+  mark("cost");
 }
 
 void SetupPanel::draw_model(Setup& setup) {

@@ -1,5 +1,7 @@
 #include "ui/shell.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,7 +45,8 @@ Shell::Shell(Studio& studio, Stage& stage, Gui& gui)
             .leave = [this](const std::string& what, Leaves leaves,
                             std::function<void()> act) { leave(what, leaves, std::move(act)); },
             .picture = [&stage](const std::filesystem::path& path) { return stage.picture(path); },
-            .keys = {}} {
+            .keys = {},
+            .keys_taken = false} {
   panels_ = make_panels();
   panels_.push_back(make_look_panel(scenery_, bookmarks_));
   // LOOK stands first in its column.
@@ -64,8 +67,7 @@ void Shell::apply_settings() {
   if ((gui_.theme().kind == ThemeKind::dark) != settings.dark) {
     gui_.set_theme(settings.dark ? ThemeKind::dark : ThemeKind::light);
   }
-  const double own = scale_of_screen(stage_.screen_height());
-  gui_.set_scale(static_cast<float>(settings.scale > 0 ? settings.scale : own));
+  gui_.set_scale(static_cast<float>(settings.scale > 0 ? settings.scale : stage_.suggested_scale()));
 }
 
 float Shell::layout(const std::string& name, float standard) const {
@@ -111,7 +113,10 @@ std::string Shell::why_nothing_to_save() const {
 
 void Shell::draw() {
   if (studio_.take_failed_creation()) open(panel_title::log);
-  press_keys(actions_);
+  close_menu_on_escape();
+  // While a dialog, a menu or a question is open, keys are for it: none of them reaches the land behind.
+  desk_.keys_taken = dialog_has_keys_ || popup_was_open_ || is_open(unsaved_title);
+  if (!desk_.keys_taken) press_keys(actions_);
   draw_menu_bar();
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();
@@ -133,6 +138,20 @@ void Shell::draw() {
   draw_foot(top + high, foot);
   draw_dialogs();
   land_.draw_over(desk_);
+  if (const std::string missing = gui_.take_missing_letters(); !missing.empty()) {
+    studio_.log().warning("no font on this machine has the letters " + missing +
+                          ": install one that does, such as fonts-noto-core or fonts-noto-cjk");
+  }
+}
+
+/// ImGui leaves menus and lists of choices open on Escape, and they would take the next click. A question in the way of
+/// everything (a modal one) closes itself.
+void Shell::close_menu_on_escape() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.OpenPopupStack.empty() || !ImGui::IsKeyPressed(keys::escape, false)) return;
+  const ImGuiWindow* const top = context.OpenPopupStack.back().Window;
+  if (top != nullptr && (top->Flags & ImGuiWindowFlags_Modal) != 0) return;
+  ImGui::ClosePopupToLevel(context.OpenPopupStack.Size - 1, true);
 }
 
 void Shell::draw_menu_bar() {
@@ -141,6 +160,7 @@ void Shell::draw_menu_bar() {
   draw_menus(actions_);
   std::string title = studio_.title();
   if (studio_.unsaved()) title += "   \u2022 unsaved";
+  gui_.need(title);
   const float wide = ImGui::CalcTextSize(title.c_str()).x + gui_.px(16);
   const float room = ImGui::GetWindowWidth() - wide;
   if (room > ImGui::GetCursorPosX()) {

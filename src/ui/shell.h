@@ -37,8 +37,8 @@ class Stage {
   virtual void save_picture(const PictureOrder& order) = 0;
   /// Pictures drawn in the last second.
   virtual float frames_per_second() const = 0;
-  /// Height of the screen in pixels, for the interface's own choice of scale.
-  virtual int screen_height() const = 0;
+  /// How many times its usual size an interface should be made on this screen.
+  virtual double suggested_scale() const = 0;
   /// Ends the program after this frame.
   virtual void close() = 0;
 };
@@ -75,6 +75,7 @@ class Shell {
   void make_file_actions();
   void make_view_actions();
   void make_run_actions();
+  void close_menu_on_escape();
   void draw_menu_bar();
   void draw_column(Dock dock, const char* name, float left, float top, float width, float height);
   void draw_column_edge(const char* name, float left, float top, float height, float sign);
@@ -97,7 +98,7 @@ class Shell {
   std::vector<std::string> open_dialogs_;
   std::string to_front_;
   std::optional<Parting> parting_;
-  std::vector<Action> actions_;
+  std::vector<MenuAction> actions_;
   bool columns_shown_ = true;
   // In the last frame:
   bool dialog_has_keys_ = false;

@@ -1,9 +1,6 @@
 #include "ui/theme.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <filesystem>
 
 namespace erg {
 namespace {
@@ -137,19 +134,6 @@ void apply_theme(const Theme& theme, float scale) {
   style.ScaleAllSizes(scale);
   set_colours(theme, style);
   ImGui::GetStyle() = style;
-}
-
-double scale_of_screen(int height) {
-  constexpr double screen_of_scale_1 = 1080;
-  return std::clamp(std::round(2 * height / screen_of_scale_1) / 2, 1.0, 3.0);
-}
-
-std::string interface_font() {
-  for (const char* const path :
-       {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"}) {
-    if (std::filesystem::is_regular_file(path)) return path;
-  }
-  return {};
 }
 
 }  // namespace erg

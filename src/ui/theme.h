@@ -3,8 +3,6 @@
 
 #include <imgui.h>
 
-#include <string>
-
 namespace erg {
 
 /// Light letters on dark ground, or the other way round.
@@ -35,13 +33,7 @@ struct Theme {
 inline constexpr float text_size = 15;
 inline constexpr float heading_size = 17;
 
-/// How many times its usual size an interface is made for a screen of so many pixels from top to bottom.
-double scale_of_screen(int height);
-
 /// Makes ImGui's style that of the theme, for an interface this many times its usual size.
 void apply_theme(const Theme& theme, float scale);
-
-/// The file of DejaVu Sans, or "" where it is not installed.
-std::string interface_font();
 
 }  // namespace erg

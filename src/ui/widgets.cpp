@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "ui/curve_editor.h"
+#include "ui/typed_number.h"
 
 namespace erg {
 namespace {
@@ -143,6 +144,7 @@ RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& 
 }  // namespace
 
 void mark(std::string_view name) {
+  Gui::current().need(name);
   const ImGuiLastItemData& item = ImGui::GetCurrentContext()->LastItemData;
   add_to_map(name, item.Rect.Min, item.Rect.Max, item.InFlags);
 }
@@ -164,6 +166,7 @@ WidgetScope::~WidgetScope() {
 void tooltip(std::string_view text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   if (ImGui::GetCurrentContext()->HoveredIdTimer < 0.4f && ImGui::GetItemID() != 0) return;
+  Gui::current().need(text);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(Gui::current().px(360));
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
@@ -191,6 +194,7 @@ bool section(const char* label, bool open_at_first) {
 void explain(std::string_view text) { say(text, Gui::current().theme().faint); }
 
 void say(std::string_view text, const ImVec4& colour) {
+  Gui::current().need(text);
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
@@ -232,6 +236,7 @@ float share_of_width(int count) {
 RowEvent real_row(const Row& row, double& value, double minimum, double maximum) {
   begin_row(row);
   const TypingOnDoubleClick typing;
+  take_typed_number("##value");
   double entered = value;
   bool changed = false;
   if (minimum < maximum) {
@@ -248,6 +253,7 @@ RowEvent real_row(const Row& row, double& value, double minimum, double maximum)
 RowEvent integer_row(const Row& row, std::int64_t& value, std::int64_t minimum, std::int64_t maximum) {
   begin_row(row);
   const TypingOnDoubleClick typing;
+  take_typed_number("##value");
   std::int64_t entered = value;
   if (minimum < maximum && maximum - minimum <= sliding && minimum > -sliding) {
     ImGui::SliderScalar("##value", ImGuiDataType_S64, &entered, &minimum, &maximum, with_unit("%lld", row.unit).c_str(),
@@ -290,6 +296,7 @@ RowEvent choice_row(const Row& row, std::string& value, std::span<const std::str
 
 RowEvent text_row(const Row& row, std::string& value) {
   begin_row(row);
+  Gui::current().need(value);
   const bool changed = ImGui::InputText("##value", &value);
   return end_row(row, changed ? RowEvent::changed : RowEvent::none);
 }

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "core/errors.h"
 #include "core/units.h"
 #include "ui/axis_ticks.h"
+#include "ui/typed_number.h"
 #include "ui/widgets.h"
 #include "wind/bearing.h"
 #include "wind/regime.h"
@@ -116,9 +118,10 @@ void tell_sector(ImVec2 middle, std::span<const double> blown, std::span<const d
   const double bearing = degrees(std::atan2(mouse.x - middle.x, middle.y - mouse.y));
   const auto sector = static_cast<std::size_t>(fold_bearing(bearing + width / 2) / width) % sectors;
   const auto share = [&](std::span<const double> shares) {
-    return sector < shares.size() ? figure_text(100 * shares[sector], 3) + " %" : std::string("-");
+    const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+    return sector < shares.size() && all > 0 ? figure_text(100 * shares[sector] / all, 3) + " %" : std::string("-");
   };
-  ImGui::SetTooltip("from %s\nhas blown %s of the time\nwill blow %s of the time",
+  ImGui::SetTooltip("from %s\n%s of what has blown\n%s of what will blow\n(strength times steps)",
                     compass_name(width * static_cast<double>(sector)).c_str(), share(blown).c_str(),
                     share(coming).c_str());
 }
@@ -158,7 +161,7 @@ bool type_bearing(const char* id, double& bearing) {
   tooltip("Where the wind blows from: degrees clockwise from north, or a point of the compass such as W or NNE.");
   if (edited) {
     try {
-      bearing = parse_bearing(text, "bearing");
+      bearing = parse_bearing(as_pasted_number(text), "bearing");
     } catch (const InputError& error) {
       ImGui::SetTooltip("%s", error.mistakes().front().remedy.c_str());
     }

@@ -264,8 +264,9 @@ void WindPanel::draw_rose(const WindEditor& wind, const Studio& studio) {
   const std::int64_t now = studio.now().step();
   std::int64_t end = now + wind.regime().cycle();
   if (studio.now().has_runs()) end = std::max(end, studio.now().runs.front().config->run.integer("steps"));
-  const WindRose rose = wind_rose(wind.regime(), now, end);
-  draw_wind_rose("rose", rose.blown, rose.to_blow, gui.px(150));
+  const WindRose rose = wind_rose(wind.regime(), now, end, WindRecord::sectors);
+  // What has blown is what was recorded: the seasons may be set to anything else by now.
+  draw_wind_rose("rose", studio.now().blown.sums, rose.to_blow, gui.px(150));
   ImGui::SameLine();
   ImGui::BeginGroup();
   ImGui::Dummy({1, gui.px(40)});

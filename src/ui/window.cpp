@@ -9,18 +9,23 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <iterator>
 
 #include "core/errors.h"
 #include "render/gl.h"
 #include "render/gl_context.h"
 #include "ui/clipboard.h"
-#include "ui/gui.h"
+#include "ui/key_reader.h"
+#include "ui/screen_scale.h"
 
 // GLEW is first to define OpenGL; freeglut only wants its types.
 #include <GL/freeglut.h>
 #include <GL/freeglut_ucall.h>
 #include <GL/glx.h>
+#include <X11/Xutil.h>
+#include <X11/extensions/XInput2.h>
 
 namespace erg {
 namespace {
@@ -79,71 +84,51 @@ Connection look_for_display() {
   return display;
 }
 
-/// A side of the window: as wanted (0: as usual at the screen's scale), but no longer than the screen's.
-int on_screen(int wanted, double usual, int screen) {
-  const double side = wanted > 0 ? wanted : usual * scale_of_screen(glutGet(GLUT_SCREEN_HEIGHT));
-  return screen > 0 ? std::min(static_cast<int>(side), screen) : static_cast<int>(side);
+/// A side of the window: as wanted (0: as usual at this scale), but no longer than the monitor's.
+int on_monitor(int wanted, double usual, int monitor, double scale) {
+  const double side = wanted > 0 ? wanted : usual * scale;
+  return monitor > 0 ? std::min(static_cast<int>(side), monitor) : static_cast<int>(side);
 }
 
-/// For XCheckIfEvent: the window manager's wish to close the window. `atom` points to the one that says so.
-Bool is_close_wish(::Display*, XEvent* event, XPointer atom) {
-  return event->type == ClientMessage &&
-         static_cast<Atom>(event->xclient.data.l[0]) == *reinterpret_cast<const Atom*>(atom);
+/// The monitor on which the pointer is, where a window manager is likely to put the window.
+Monitor monitor_of_pointer(::Display* display) {
+  ::Window ignored = 0;
+  int x = 0, y = 0, unused = 0;
+  unsigned buttons = 0;
+  XQueryPointer(display, DefaultRootWindow(display), &ignored, &ignored, &x, &y, &unused, &unused, &buttons);
+  return monitor_at(monitors_of(display), x, y);
 }
 
-int place_of_special(int key) {
-  switch (key) {
-    case GLUT_KEY_LEFT:
-      return keys::left;
-    case GLUT_KEY_RIGHT:
-      return keys::right;
-    case GLUT_KEY_UP:
-      return keys::up;
-    case GLUT_KEY_DOWN:
-      return keys::down;
-    case GLUT_KEY_PAGE_UP:
-      return keys::page_up;
-    case GLUT_KEY_PAGE_DOWN:
-      return keys::page_down;
-    case GLUT_KEY_HOME:
-      return keys::home;
-    case GLUT_KEY_END:
-      return keys::end;
-    case GLUT_KEY_INSERT:
-      return keys::insert;
-    case GLUT_KEY_DELETE:
-      return keys::remove;
-    default:
-      break;
-  }
-  return key >= GLUT_KEY_F1 && key <= GLUT_KEY_F12 ? keys::function + 1 + key - GLUT_KEY_F1 : -1;
-}
-
-// The place of a character's key. With Ctrl held, letters come as 1 to 26.
-int place_of_character(unsigned char character, bool ctrl) {
-  const int code = character;
-  if (ctrl && code >= 1 && code <= 26 && code != keys::backspace && code != keys::tab && code != keys::enter) {
-    return code + 'A' - 1;
-  }
-  return code >= 'a' && code <= 'z' ? code - 'a' + 'A' : code;
+/// freeglut asks for the mouse by the second input extension, which keeps the plain events from this window.
+void take_plain_mouse_events(::Display* display, ::Window window) {
+  int count = 0;
+  XIEventMask* const asked = XIGetSelectedEvents(display, window, &count);
+  if (asked == nullptr || count <= 0) return;
+  for (int i = 0; i < count; ++i) std::memset(asked[i].mask, 0, static_cast<std::size_t>(asked[i].mask_len));
+  XISelectEvents(display, window, asked, count);
+  XFree(asked);
 }
 
 }  // namespace
 
-// What the callbacks work on.
+// What the loop works on. freeglut opens the window and keeps its OpenGL; X's events are read here, for freeglut knows
+// keys by the characters of Latin-1 only.
 struct Window::Hidden {
   int handle = 0;
+  ::Display* display = nullptr;
+  ::Window window = 0;
+  Atom close_wish = 0;
   int width = 1;
   int height = 1;
+  double scale = 1;
   int redraw = settling_frames;
-  bool software = false;
   bool running = false;
   WindowEvents events;
   std::exception_ptr failure;
   Clock::time_point last_frame = Clock::now();
   Clipboard clipboard;
+  std::unique_ptr<KeyReader> keyboard;
 
-  // Exceptions may not fly through freeglut's C.
   template <typename Work>
   void guarded(const Work& work) {
     try {
@@ -154,10 +139,7 @@ struct Window::Hidden {
     }
   }
   void leave() { running = false; }
-  void wake() {
-    redraw = settling_frames;
-    glutPostRedisplay();
-  }
+  void wake() { redraw = settling_frames; }
 
   void show_frame() {
     const Clock::time_point now = Clock::now();
@@ -179,96 +161,126 @@ struct Window::Hidden {
       if (events.must_close()) leave();
     });
   }
-  // freeglut would destroy the window before anybody could be asked: its wish to close is taken out of the queue.
-  void take_close_wish(::Display* display) {
-    Atom wish = XInternAtom(display, "WM_DELETE_WINDOW", False);
-    XEvent event;
-    while (XCheckIfEvent(display, &event, is_close_wish, reinterpret_cast<XPointer>(&wish))) {
-      guarded([this] { events.close_wanted(); });
-      wake();
-    }
-  }
   // Sleeps until there is input, but no longer than a frame while busy.
-  static void wait_for_input(::Display* display, bool busy) {
+  void wait_for_input(bool busy) const {
     if (XPending(display) > 0) return;
     pollfd waiting{ConnectionNumber(display), POLLIN, 0};
     poll(&waiting, 1, busy ? frame_milliseconds : rest_milliseconds);
   }
 
-  void take_modifiers() const {
-    ImGuiIO& io = ImGui::GetIO();
-    const int held = glutGetModifiers();
-    io.KeyCtrl = (held & GLUT_ACTIVE_CTRL) != 0;
-    io.KeyShift = (held & GLUT_ACTIVE_SHIFT) != 0;
-    io.KeyAlt = (held & GLUT_ACTIVE_ALT) != 0;
-  }
-  void take_character(unsigned char character, bool down) {
-    take_modifiers();
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeysDown[place_of_character(character, io.KeyCtrl)] = down;
-    if (!down && character >= 1 && character <= 26) io.KeysDown[character + 'A' - 1] = false;  // Ctrl was let go first
-    if (down && !io.KeyCtrl && character >= 32 && character != 127) io.AddInputCharacter(character);
-    if (down) show_frame();  // a key that comes and goes between two frames would not be seen
-    wake();
-  }
-  void take_special(int key, bool down) {
-    take_modifiers();
-    const int place = place_of_special(key);
-    if (place >= 0) ImGui::GetIO().KeysDown[place] = down;
-    if (down) show_frame();
-    wake();
-  }
-  void take_button(int button, bool down, int x, int y) {
-    take_modifiers();
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {static_cast<float>(x), static_cast<float>(y)};
-    if (button == 3 || button == 4) {
-      if (down) io.MouseWheel += button == 3 ? 1.0f : -1.0f;
-    } else if (button >= GLUT_LEFT_BUTTON && button <= GLUT_RIGHT_BUTTON) {
-      const int imgui_button = button == GLUT_LEFT_BUTTON ? 0 : button == GLUT_RIGHT_BUTTON ? 1 : 2;
-      io.MouseDown[imgui_button] = down;
-      show_frame();  // likewise a click
-    }
-    wake();
-  }
-  void take_place(int x, int y) {
-    ImGui::GetIO().MousePos = {static_cast<float>(x), static_cast<float>(y)};
-    wake();
-  }
-  void install();
+  void take_events();
+  void take(XEvent& event);
+  void take_key(XEvent& event);
+  void take_button(const XButtonEvent& button, bool down);
+  void take_focus(bool here);
 };
 
-void Window::Hidden::install() {
-  glutDisplayFuncUcall([](void* data) { static_cast<Hidden*>(data)->show_frame(); }, this);
-  glutReshapeFuncUcall(
-      [](int wide, int high, void* data) {
-        auto* const hidden = static_cast<Hidden*>(data);
-        hidden->width = std::max(wide, 1);
-        hidden->height = std::max(high, 1);
-        hidden->wake();
-      },
-      this);
-  glutKeyboardFuncUcall(
-      [](unsigned char key, int, int, void* data) { static_cast<Hidden*>(data)->take_character(key, true); }, this);
-  glutKeyboardUpFuncUcall(
-      [](unsigned char key, int, int, void* data) { static_cast<Hidden*>(data)->take_character(key, false); }, this);
-  glutSpecialFuncUcall([](int key, int, int, void* data) { static_cast<Hidden*>(data)->take_special(key, true); },
-                       this);
-  glutSpecialUpFuncUcall([](int key, int, int, void* data) { static_cast<Hidden*>(data)->take_special(key, false); },
-                         this);
-  glutMouseFuncUcall([](int button, int state, int x, int y,
-                        void* data) { static_cast<Hidden*>(data)->take_button(button, state == GLUT_DOWN, x, y); },
-                     this);
-  glutMotionFuncUcall([](int x, int y, void* data) { static_cast<Hidden*>(data)->take_place(x, y); }, this);
-  glutPassiveMotionFuncUcall([](int x, int y, void* data) { static_cast<Hidden*>(data)->take_place(x, y); }, this);
-  glutWMCloseFuncUcall(
-      [](void* data) {
-        // The window is being destroyed under us: what it holds is saved for the next start.
-        auto* const hidden = static_cast<Hidden*>(data);
-        hidden->guarded([&] { hidden->events.display_lost(); });
-        hidden->leave();
-      },
-      this);
+namespace {
+
+void take_modifiers(unsigned state) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyCtrl = (state & ControlMask) != 0;
+  io.KeyShift = (state & ShiftMask) != 0;
+  io.KeyAlt = (state & Mod1Mask) != 0;
+}
+
+void take_place(int x, int y) { ImGui::GetIO().MousePos = {static_cast<float>(x), static_cast<float>(y)}; }
+
+}  // namespace
+
+void Window::Hidden::take_events() {
+  while (running && XPending(display) > 0) {
+    XEvent event;
+    XNextEvent(display, &event);
+    if (!keyboard->filters(event)) take(event);
+  }
+}
+
+void Window::Hidden::take(XEvent& event) {
+  if (event.type == MappingNotify) {
+    XRefreshKeyboardMapping(&event.xmapping);
+    return;
+  }
+  if (event.xany.window != window) return;
+  switch (event.type) {
+    case KeyPress:
+    case KeyRelease:
+      take_key(event);
+      break;
+    case ButtonPress:
+    case ButtonRelease:
+      take_button(event.xbutton, event.type == ButtonPress);
+      break;
+    case MotionNotify:
+      take_place(event.xmotion.x, event.xmotion.y);
+      break;
+    case EnterNotify:
+      take_place(event.xcrossing.x, event.xcrossing.y);
+      break;
+    case FocusIn:
+    case FocusOut:
+      take_focus(event.type == FocusIn);
+      break;
+    case ConfigureNotify:
+      width = std::max(event.xconfigure.width, 1);
+      height = std::max(event.xconfigure.height, 1);
+      break;
+    case ClientMessage:
+      // The window manager's wish: the person is asked first.
+      if (static_cast<Atom>(event.xclient.data.l[0]) == close_wish) guarded([this] { events.close_wanted(); });
+      break;
+    case DestroyNotify:
+      // The window is gone under us: what it held is saved for the next start.
+      guarded([this] { events.display_lost(); });
+      leave();
+      return;
+    case Expose:
+    case MapNotify:
+    case VisibilityNotify:
+      break;
+    default:
+      return;  // nothing to be seen
+  }
+  wake();
+}
+
+void Window::Hidden::take_key(XEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  take_modifiers(event.xkey.state);
+  const KeyStroke stroke = keyboard->read(event);
+  if (stroke.place >= 0) io.KeysDown[stroke.place] = stroke.down;
+  if (!stroke.text.empty()) io.AddInputCharactersUTF8(stroke.text.c_str());
+  // A key that comes and goes between two frames would not be seen.
+  if (stroke.down && (stroke.place >= 0 || !stroke.text.empty())) show_frame();
+}
+
+void Window::Hidden::take_button(const XButtonEvent& button, bool down) {
+  ImGuiIO& io = ImGui::GetIO();
+  take_modifiers(button.state);
+  take_place(button.x, button.y);
+  switch (button.button) {
+    case Button1:
+    case Button2:
+    case Button3:
+      io.MouseDown[button.button == Button1 ? 0 : button.button == Button3 ? 1 : 2] = down;
+      show_frame();  // likewise a click
+      break;
+    case Button4:
+    case Button5:
+      if (down) io.MouseWheel += button.button == Button4 ? 1.0f : -1.0f;
+      break;
+    default:
+      break;
+  }
+}
+
+/// What is let go while another window has the keyboard is not told here.
+void Window::Hidden::take_focus(bool here) {
+  keyboard->set_focus(here);
+  if (here) return;
+  ImGuiIO& io = ImGui::GetIO();
+  std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+  take_modifiers(0);
 }
 
 Window::Window(const WindowOptions& options) {
@@ -284,8 +296,10 @@ Window::Window(const WindowOptions& options) {
   glutInitContextProfile(GLUT_CORE_PROFILE);
   glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA);
   glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
-  const int width = on_screen(options.width, usual_width, glutGet(GLUT_SCREEN_WIDTH));
-  const int height = on_screen(options.height, usual_height, glutGet(GLUT_SCREEN_HEIGHT));
+  const Monitor monitor = monitor_of_pointer(connection.get());
+  const double scale = erg::suggested_scale(desktop_dpi(connection.get()), monitor);
+  const int width = on_monitor(options.width, usual_width, monitor.width, scale);
+  const int height = on_monitor(options.height, usual_height, monitor.height, scale);
   glutInitWindowSize(width, height);
   const int handle = glutCreateWindow(options.title.c_str());
   XSetErrorHandler(ignore_x_error);
@@ -294,26 +308,35 @@ Window::Window(const WindowOptions& options) {
   hidden_->handle = handle;
   hidden_->width = width;
   hidden_->height = height;
+  hidden_->scale = scale;
+  hidden_->display = glXGetCurrentDisplay();
+  hidden_->window = glXGetCurrentDrawable();
+  hidden_->close_wish = XInternAtom(hidden_->display, "WM_DELETE_WINDOW", False);
+  take_plain_mouse_events(hidden_->display, hidden_->window);
+  hidden_->keyboard = std::make_unique<KeyReader>(hidden_->display, hidden_->window);
   driver_ = reinterpret_cast<const char*>(gl11().GetString(GL_RENDERER));
 }
 
 Window::~Window() {
   events_of_the_window = nullptr;
+  hidden_->keyboard.reset();  // while there is a display
   glutSetWindow(hidden_->handle);
-  glutCloseFunc(nullptr);  // freeglut would call it at the program's end, when there is nothing left to save
   glutDestroyWindow(hidden_->handle);
 }
 
 bool Window::is_software() const { return draws_in_software(driver_); }
 
-int Window::screen_height() const { return glutGet(GLUT_SCREEN_HEIGHT); }
+double Window::suggested_scale() const { return hidden_->scale; }
 
-void Window::set_title(const std::string& title) { glutSetWindowTitle(title.c_str()); }
+void Window::set_title(const std::string& title) {
+  // freeglut takes Latin-1 only.
+  Xutf8SetWMProperties(hidden_->display, hidden_->window, title.c_str(), title.c_str(), nullptr, 0, nullptr, nullptr,
+                       nullptr);
+}
 
 void Window::run(const WindowEvents& events) {
   hidden_->events = events;
   hidden_->running = true;
-  hidden_->install();
   events_of_the_window = &hidden_->events;
   XSetIOErrorHandler([](Display*) -> int {
     std::string words = "the display is gone";
@@ -322,15 +345,12 @@ void Window::run(const WindowEvents& events) {
     // Xlib ends the program when this returns; without the destructors of a window that is no more.
     std::_Exit(1);
   });
-  // freeglut's own loop would take the OpenGL context away at its end, before those who drew with it let go of it.
-  ::Display* const display = glXGetCurrentDisplay();
   while (hidden_->running) {
-    hidden_->take_close_wish(display);
+    hidden_->take_events();
     hidden_->close_if_it_must();
-    glutMainLoopEvent();
     const bool busy = hidden_->is_busy();
-    if (busy) glutPostRedisplay();
-    Hidden::wait_for_input(display, busy);
+    if (busy && hidden_->running) hidden_->show_frame();
+    if (hidden_->running) hidden_->wait_for_input(busy);
   }
   if (hidden_->failure) std::rethrow_exception(hidden_->failure);
 }

@@ -1,4 +1,4 @@
-// The window on the screen: freeglut and X11 stand in window.cpp and nowhere else.
+// The window on the screen: freeglut stands in window.cpp and nowhere else.
 #pragma once
 
 #include <functional>
@@ -44,8 +44,8 @@ class Window {
   const std::string& driver() const { return driver_; }
   /// True when the processor draws.
   bool is_software() const;
-  /// Height of the screen in pixels.
-  int screen_height() const;
+  /// How many times its usual size the interface should be made here (ui/screen_scale.h).
+  double suggested_scale() const;
 
   void set_title(const std::string& title);
   /// Shows frames and hands on input until the window is closed. What a callback throws comes out of here.

@@ -77,6 +77,24 @@ TEST(Commands, ValidatePrintsTheSectionAskedFor) {
   const Ended other = run_erg(folder, {"validate", "--section", "identities", "--scene", "snow_ripples"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_EQ(other.errors, "--scene snow_ripples: is a row of the section published; add --section published\n");
+  EXPECT_EQ(run_erg(folder, {"validate", "--law", "ripples"}).errors,
+            "--law ripples: is a table of the section nature; add --section nature\n");
+  EXPECT_EQ(run_erg(folder, {"validate", "--section", "nature", "--law", "gravity"}).exit_code, 2);
+}
+
+TEST(Commands, ValidateReplacesTheSectionAskedForInAPage) {
+  const ScratchFolder folder;
+  const std::string identities = run_erg(folder, {"validate", "--section", "identities"}).output;
+  const std::string before = "# Validation\n\n## Sand\n\nkept\n\n";
+  const std::string after = "\n## Snow\n\nkept too\n";
+  folder.write("page.md", before + "## Identities\n\nold\n\n### with a part\n\nold\n" + after);
+  ASSERT_EQ(run_erg(folder, {"validate", "--section", "identities", "--out", "page.md"}).exit_code, 0);
+  EXPECT_EQ(read_bytes(folder / "page.md"), before + identities + after);
+  folder.write("page.md", "# Validation\n");
+  ASSERT_EQ(run_erg(folder, {"validate", "--section", "identities", "--out", "page.md"}).exit_code, 0);
+  EXPECT_EQ(read_bytes(folder / "page.md"), "# Validation\n\n" + identities) << "added where it is missing";
+  ASSERT_EQ(run_erg(folder, {"validate", "--section", "identities", "--out", "new.md"}).exit_code, 0);
+  EXPECT_EQ(read_bytes(folder / "new.md"), identities);
 }
 
 TEST(Commands, BenchWritesARowForEachExecutor) {

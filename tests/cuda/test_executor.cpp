@@ -20,12 +20,11 @@ StoryEnd slab_story(Executor& executor) {
   Terrain terrain = world.strewn();
   raise_rocks(terrain, 5);
   const auto made = find_model(world.model).make(world.values());
-  CoverField cover(world.extent);
+  Cover cover{CoverField(world.extent)};
   for (int step = 0; step < 6; ++step) {
     SlabLaw law = dynamic_cast<const SlabModel&>(*made).law(terrain);
-    std::fill(cover.cells().begin(), cover.cells().end(), static_cast<std::uint8_t>(20 * (step / 2)));
+    if (step % 2 == 0) cover.edit().fill(static_cast<std::uint8_t>(20 * (step / 2)));
     law.cover = &cover;
-    law.cover_revision = static_cast<std::uint64_t>(step / 2);
     const WindNow wind{step < 3 ? 270.0 : 10.0, 3};
     executor.step(terrain, law, wind, {world.seed, static_cast<std::uint64_t>(step)});
     if (step == 3) executor.settle(terrain);
@@ -129,13 +128,12 @@ TEST(CudaExecutor, TakesALargerTerrainWithCoverAfterASmallerOne) {
   ParallelExecutor cpu(two_sweeps);
   std::list<Terrain> terrains;  // all alive, or one may come to lie where another was
   for (const Extent extent : {Extent{12, 9}, Extent{31, 20}}) {
-    const CoverField cover(extent, 100);
+    const Cover cover{CoverField(extent, 100)};
     std::vector<std::uint64_t> hashes;
     for (Executor* executor : {static_cast<Executor*>(&cuda), static_cast<Executor*>(&cpu)}) {
       Terrain& terrain = terrains.emplace_back(World{.extent = extent}.strewn());
       SlabLaw law;
       law.cover = &cover;
-      law.cover_revision = extent.cells();
       executor->step(terrain, law, {270, 3}, {1, 0});
       executor->settle(terrain);
       hashes.push_back(state_hash(terrain));

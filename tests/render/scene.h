@@ -7,6 +7,7 @@
 #include "core/image.h"
 #include "core/random.h"
 #include "core/terrain.h"
+#include "render/gl_context.h"
 #include "render/terrain_view.h"
 
 namespace erg::test {
@@ -60,6 +61,9 @@ inline TerrainView view_of(const Terrain& terrain) {
   view.wind = 270;
   return view;
 }
+
+/// The context that draws on the processor, whatever cards there are; without OSMesa, EGL.
+inline const char* usual_context() { return has_osmesa() ? "osmesa" : "egl"; }
 
 /// How far two pictures are apart, as an eye at some distance sees them: blocks of 4 x 4 pixels are averaged first.
 struct Difference {

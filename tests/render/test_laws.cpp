@@ -31,7 +31,7 @@ class Pictures : public testing::Test {
     return look;
   }
 
-  std::unique_ptr<GlContext> context_ = make_offscreen_context("osmesa");
+  std::unique_ptr<GlContext> context_ = make_offscreen_context(usual_context());
   Renderer renderer_;
 };
 

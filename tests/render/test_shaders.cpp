@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "render/gl_context.h"
 #include "render/shader_program.h"
+#include "scene.h"
 
 namespace erg::test {
 namespace {
@@ -25,7 +26,7 @@ class Shaders : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::unique_ptr<GlContext> context_ = make_offscreen_context("osmesa");
+  std::unique_ptr<GlContext> context_ = make_offscreen_context(usual_context());
   const std::string vertex_ = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
 };
 
@@ -75,9 +76,21 @@ TEST(Contexts, AWrongKindNamesTheRightOnes) {
 }
 
 TEST(Contexts, SayWhatDraws) {
-  const auto context = make_offscreen_context("osmesa");
-  EXPECT_EQ(context->kind(), "osmesa");
-  EXPECT_TRUE(context->is_software()) << context->renderer();
+  const auto context = make_offscreen_context(usual_context());
+  EXPECT_EQ(context->kind(), usual_context());
+  EXPECT_NE(context->renderer(), "");
+  EXPECT_TRUE(context->is_software() || !has_osmesa()) << context->renderer();
+}
+
+TEST(Contexts, OsmesaDrawsOrSaysThatItIsNotHere) {
+  try {
+    EXPECT_EQ(make_offscreen_context("osmesa")->kind(), "osmesa");
+    EXPECT_TRUE(has_osmesa());
+  } catch (const InputError& error) {
+    EXPECT_FALSE(has_osmesa()) << error.what();
+    EXPECT_NE(error.mistakes().front().text().find("built without it"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(make_offscreen_context("auto")->kind(), "egl");
 }
 
 }  // namespace

@@ -71,6 +71,46 @@ TEST_F(EditsTest, UndoRestoresTheExactStateAndRedoTheEdit) {
   EXPECT_EQ(still()->redo_count, 0u);
 }
 
+TEST_F(EditsTest, AStrokeOnALandThatRunsIsOneUndo) {
+  runner.create({small_config()});
+  runner.run(4);
+  const std::uint64_t hash_before = hash();
+  for (int dab = 0; dab < 5; ++dab) {
+    runner.paint(0, {.x = 8.0 + dab, .y = 10, .radius = 4, .amount = 9}, 1);
+    runner.step();
+  }
+  EXPECT_EQ(still()->undo_count, 1u);
+  EXPECT_EQ(still()->step(), 9);
+  runner.undo();
+  EXPECT_EQ(hash(), hash_before);
+  EXPECT_EQ(still()->step(), 4);
+  runner.paint(0, {.x = 8, .y = 10, .radius = 4, .amount = 9}, 2);
+  runner.paint(0, {.x = 9, .y = 10, .radius = 4, .amount = 9}, 3);
+  EXPECT_EQ(still()->undo_count, 2u) << "two strokes are two";
+}
+
+TEST_F(EditsTest, TheRoseKeepsWhatHasBlownWhateverIsSetLater) {
+  Config config = small_config();
+  config.wind.seasons = {{.bearing = 270, .first = 5, .last = 5, .steps = 10, .curve = {}}};
+  constexpr std::size_t west = 12, south = 8;
+  runner.create({config});
+  runner.run(6);
+  EXPECT_DOUBLE_EQ(still()->blown.sums[west], 30);
+  config.wind.seasons.front().bearing = 180;
+  runner.change({config});
+  runner.run(4);
+  const auto turned = still();
+  EXPECT_DOUBLE_EQ(turned->blown.sums[west], 30) << "it has blown";
+  EXPECT_DOUBLE_EQ(turned->blown.sums[south], 20);
+  runner.paint(0, {.x = 8, .y = 10, .radius = 4, .amount = 9}, 1);
+  runner.run(3);
+  EXPECT_DOUBLE_EQ(still()->blown.sums[south], 35);
+  runner.undo();
+  EXPECT_EQ(still()->blown, turned->blown) << "undone, it has not blown";
+  runner.reset();
+  EXPECT_EQ(still()->blown, WindRecord()) << "nothing has";
+}
+
 TEST_F(EditsTest, WhatGrowsAfterUndoIsWhatWouldHaveGrown) {
   runner.create({small_config()});
   runner.run(5);

@@ -150,9 +150,51 @@ TEST(Session, ADamagedListLosesNoCheckpoint) {
     ASSERT_EQ(lost.size(), 1u);
     EXPECT_EQ(lost[0].runs, 1u);
     EXPECT_EQ(read_bytes(left / "run1-1.checkpoint"), checkpoint);
-    const std::string said = message([&] { Session::recover(lost[0]); });
-    EXPECT_TRUE(said.ends_with("erg run --resume " + (left / "run1-1.checkpoint").string())) << said;
+    const std::vector<Saved> runs = Session::recover(lost[0]);
+    ASSERT_EQ(runs.size(), 1u);
+    EXPECT_EQ(runs[0].config.title, "left behind");
   }
+}
+
+TEST(Session, AMissingListIsOfferedByItsCheckpoints) {
+  const TemporaryFolder folder;
+  leave_behind(folder.path());
+  const fs::path left = Session::lost(folder.path()).front().folder;
+  fs::remove(left / "session.json");
+  // A later save of two runs, and one that a person put there.
+  Simulation simulation(titled(2));
+  for (int step = 0; step < 3; ++step) simulation.step();
+  const std::string newer = "run1-12.checkpoint";
+  write_checkpoint(left / newer, simulation.config(), simulation.state());
+  write_checkpoint(left / "run2-12.checkpoint", simulation.config(), simulation.state());
+  write_checkpoint(left / "mine-99.checkpoint", titled(3), Simulation(titled(3)).state());
+  const std::vector<LostSession> lost = Session::lost(folder.path());
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost[0].runs, 2u);
+  EXPECT_NE(lost[0].saved_at, "(unknown)");
+  const std::vector<Saved> runs = Session::recover(lost[0]);
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].state.step, 3);
+  for (const char* const name : {"run1-12.checkpoint", "run2-12.checkpoint", "run1-1.checkpoint"}) {
+    fs::remove(left / name);
+  }
+  EXPECT_EQ(Session::recover(Session::lost(folder.path()).front()).size(), 1u) << "by whatever name";
+  fs::remove(left / "mine-99.checkpoint");
+  EXPECT_TRUE(Session::lost(folder.path()).empty());
+  EXPECT_FALSE(fs::exists(left)) << "nothing was in it";
+}
+
+TEST(Session, WhereNoneCanBeKeptIsSaid) {
+  Studio homeless({{}, {}, {}});
+  EXPECT_NE(homeless.why_not_kept().find("XDG_STATE_HOME"), std::string::npos);
+  EXPECT_EQ(homeless.rescue(), "there was nothing to save");
+  homeless.setup().replace(titled(1));
+  ASSERT_TRUE(homeless.create());
+  homeless.runner().wait_for_commands();
+  EXPECT_TRUE(homeless.rescue().starts_with("the runs are lost")) << homeless.rescue();
+  const TemporaryFolder folder;
+  Studio housed({{}, folder.path(), {}});
+  EXPECT_EQ(housed.why_not_kept(), "");
 }
 
 TEST(Session, AMutatedListIsOfferedAndNothingIsLost) {

@@ -8,6 +8,7 @@
 #include "small_config.h"
 #include "studio/comparison.h"
 #include "studio/setup.h"
+#include "studio/step_cost.h"
 #include "studio/wind_cycle.h"
 
 namespace erg {
@@ -225,6 +226,40 @@ TEST(WindRose, CountsTheSwingsOfASpread) {
   EXPECT_LT(fine.blown[24], 64);
   EXPECT_DOUBLE_EQ(fine.blown[23], fine.blown[25]) << "as often to the left as to the right";
   EXPECT_DOUBLE_EQ(fine.blown[22] + fine.blown[23] + fine.blown[24] + fine.blown[25] + fine.blown[26], 64);
+}
+
+TEST(Setup, TitlesSpeakOfTheirModelOnly) {
+  Config config("werner");
+  config.title = "Barchans after Werner";
+  config.description = "As in the paper.";
+  erg::Setup setup(config);  // gtest has another
+  setup.choose_model("momiji");
+  EXPECT_EQ(setup.config().title, "");
+  EXPECT_EQ(setup.config().description, "");
+  EXPECT_FALSE(setup.has_its_own_model());
+  setup.choose_model("werner");
+  EXPECT_EQ(setup.config().title, "Barchans after Werner");
+  EXPECT_EQ(setup.config().description, "As in the paper.");
+  setup.choose_model("momiji");
+  setup.set_title("mine");
+  setup.choose_model("werner");
+  EXPECT_EQ(setup.config().title, "") << "the new one was given for the other model";
+}
+
+TEST(StepCost, IsFoundBeforeTheLandIsMade) {
+  Config config("grains");
+  config.run.set("executor", std::string("serial"));
+  config.grid.set("nx", std::int64_t{64});
+  config.grid.set("ny", std::int64_t{64});
+  EXPECT_DOUBLE_EQ(times_the_measured_land(config), 1);
+  config.grid.set("nx", std::int64_t{512});
+  config.grid.set("ny", std::int64_t{32});
+  EXPECT_DOUBLE_EQ(times_the_measured_land(config), 8);
+  const std::optional<double> seconds = measure_step(config);
+  ASSERT_TRUE(seconds.has_value());
+  EXPECT_GT(*seconds, 0);
+  config.scene.set("kind", std::string("image"));
+  EXPECT_EQ(measure_step(config), std::nullopt) << "without its picture no land can be made";
 }
 
 TEST(Comparison, HasOneWindAndListsWhatDiffers) {

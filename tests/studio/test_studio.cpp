@@ -5,6 +5,7 @@
 
 #include "../unit/temporary_folder.h"
 #include "io/config_file.h"
+#include "io/heightmap.h"
 #include "small_config.h"
 
 namespace erg {
@@ -96,6 +97,25 @@ TEST_F(StudioTest, AFileWhoseTerrainCannotBeMadeChangesNothing) {
   EXPECT_EQ(studio.file(), folder / "small.json");
   EXPECT_EQ(*studio.active_run()->config, small_config());
   EXPECT_GE(studio.log().count(LogLevel::error), 1u);
+}
+
+TEST_F(StudioTest, TheGridComesFromThePictureWhereThatIsAskedForAndTheLogTellsWhatThePictureSays) {
+  write_heightmap(folder / "ground.png", Terrain({9, 7}, 2.0, 0.5), {});
+  Config config = small_config();
+  config.scene.set("kind", std::string("image"));
+  config.scene.set("image", (folder / "ground.png").string());
+  config.scene.set("image_fit", std::string("from_file"));
+  write_bytes(folder / "ground.json", "// mine\n" + config_text(config));
+  ASSERT_TRUE(studio.open(folder / "ground.json"));
+  settle();
+  ASSERT_NE(studio.active_run(), nullptr);
+  EXPECT_EQ(studio.setup().config().grid.integer("nx"), 9);
+  EXPECT_EQ(studio.setup().config().grid.real("cell_size"), 2.0);
+  EXPECT_EQ(*studio.active_run()->config, studio.setup().config());
+  EXPECT_FALSE(studio.create_needed());
+  EXPECT_FALSE(studio.unsaved());
+  EXPECT_NE(studio.log().text().find("heights in the picture, 0 to 0 m"), std::string::npos) << studio.log().text();
+  EXPECT_NE(studio.log().text().find("its comments are not kept"), std::string::npos) << studio.log().text();
 }
 
 TEST_F(StudioTest, WhatIsOpenedToPlayRunsOnceItIsMadeAndElseNothingDoes) {

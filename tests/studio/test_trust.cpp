@@ -130,6 +130,7 @@ TEST(WindowFiles, AFullDiskIsSaidWithTheFileAndLeavesTheOldOne) {
     writer.write(file, 0);
     const auto before = contents(folder.path());
     const LimitRestored restored(RLIMIT_FSIZE);
+    const SignalIgnored ignored(SIGXFSZ);
     limit_files(before.at(file.string()).size() / 2);
     try {
       writer.write(file, 1);
@@ -173,6 +174,7 @@ TEST(WindowFiles, ASessionThatNoLongerFitsKeepsWhatItHadSaved) {
   const auto later = std::make_shared<const Snapshot>(snapshot_of(3));
   {
     const LimitRestored restored(RLIMIT_FSIZE);
+    const SignalIgnored ignored(SIGXFSZ);
     limit_files(4000);
     EXPECT_THROW(session.save(snapshot_of(2)), WriteError);
     session.save_if_due(later, 1e-9);

@@ -40,7 +40,7 @@ class FlatStage final : public Stage {
     orders.push_back(order);
   }
   float frames_per_second() const override { return 60; }
-  int screen_height() const override { return 1080; }
+  double suggested_scale() const override { return 1; }
   void close() override { closed = true; }
 };
 

@@ -43,7 +43,7 @@ class UiHarness {
   /// Replaces what an entry holds: opens a slider for typing, selects all, types, Enter.
   void enter(const std::string& name, const std::string& text);
 
-  /// The last frame as a PNG, drawn through OSMesa, for looking at.
+  /// The last frame as a PNG, drawn without a window, for looking at.
   void save_png(const std::filesystem::path& path);
 
  private:

@@ -7,7 +7,7 @@
 namespace erg::test {
 
 RgbImage picture_of_gui(const Gui& gui, ImVec2 size) {
-  const std::unique_ptr<GlContext> context = make_osmesa_context();
+  const std::unique_ptr<GlContext> context = make_offscreen_context(has_osmesa() ? "osmesa" : "egl");
   GuiRenderer renderer;
   PictureTarget target;
   const int width = static_cast<int>(size.x);

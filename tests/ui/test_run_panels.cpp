@@ -73,13 +73,66 @@ TEST(PaintPanel, AStrokePutsSandDownAndIsUndoneExactly) {
   EXPECT_EQ(mobile(panel), after);
 }
 
+/// How many slabs lie on a cell more than before.
+std::int32_t put_on(const PanelHand& panel, const Terrain& before, CellPlace cell) {
+  return panel.studio.now().runs.front().terrain->mobile()(cell.x, cell.y) - before.mobile()(cell.x, cell.y);
+}
+
+TEST(PaintPanel, AStrokeHasNoGapsHoweverFastThePointerMoves) {
+  PanelHand panel(make_paint_panel());
+  panel.create();
+  panel.hand.click("TAKE THE BRUSH");
+  const Terrain before = *panel.studio.now().runs.front().terrain;
+  panel.land = {CellPlace{4, 12}, true, true};
+  panel.hand.frames();
+  panel.land = {CellPlace{28, 12}, false, true};
+  panel.hand.frames();
+  panel.land = {CellPlace{28, 12}, false, false};
+  panel.settle();
+  for (int x = 4; x <= 28; ++x) EXPECT_GT(put_on(panel, before, {x, 12}), 0) << x;
+  EXPECT_EQ(panel.studio.now().undo_count, 1u) << "one stroke";
+}
+
+TEST(PaintPanel, HoldingTheBrushStillPours) {
+  PanelHand panel(make_paint_panel());
+  panel.create();
+  panel.hand.click("TAKE THE BRUSH");
+  const Terrain before = *panel.studio.now().runs.front().terrain;
+  panel.click_land({10, 10});
+  panel.settle();
+  const std::int32_t once = put_on(panel, before, {10, 10});
+  panel.land = {CellPlace{24, 12}, true, true};
+  panel.hand.frames();
+  panel.land = {CellPlace{24, 12}, false, true};
+  panel.hand.frames(60);  // a second
+  panel.land = {CellPlace{24, 12}, false, false};
+  panel.settle();
+  EXPECT_GE(put_on(panel, before, {24, 12}), 4 * once);
+  EXPECT_EQ(panel.studio.now().undo_count, 2u) << "a touch and a stroke";
+}
+
+TEST(PaintPanel, TheFirstTouchIsSeenAndItsAmountIsInMetres) {
+  PanelHand panel(make_paint_panel());
+  panel.create();
+  panel.hand.click("TAKE THE BRUSH");
+  const Terrain before = *panel.studio.now().runs.front().terrain;
+  panel.click_land({16, 12});
+  panel.settle();
+  const double metres = before.metres(put_on(panel, before, {16, 12}));
+  EXPECT_GE(metres, 0.3 * before.cell_size()) << "a heap, not a film";
+  panel.hand.enter("amount", std::to_string(before.metres(7)));
+  panel.click_land({5, 5});
+  panel.settle();
+  EXPECT_EQ(put_on(panel, before, {5, 5}), 7);
+}
+
 TEST(PaintPanel, RockIsPutAndSandTaken) {
   PanelHand panel(make_paint_panel());
   panel.create();
   const std::int64_t sand = mobile(panel);
   panel.hand.click("TAKE THE BRUSH");
   panel.hand.click("PAINT/ROCK");
-  panel.hand.enter("amount", "5");
+  panel.hand.enter("amount", std::to_string(panel.studio.now().runs.front().terrain->metres(5)));
   panel.click_land({10, 10});
   panel.settle();
   const Terrain& terrain = *panel.studio.now().runs.front().terrain;

@@ -5,47 +5,14 @@
 #include <thread>
 
 #include "../studio/torn_session.h"
-#include "flat_stage.h"
-#include "harness.h"
 #include "io/camera_file.h"
 #include "io/config_file.h"
-#include "panel_hand.h"
+#include "shell_hand.h"
 #include "ui/look_panel.h"
 #include "ui/picture_panel.h"
 
 namespace erg::test {
 namespace {
-
-class ShellHand : public testing::Test {
- protected:
-  TemporaryFolder folder;
-  Studio studio{StudioFolders{folder.path() / "settings", folder.path() / "state", {}}};
-  FlatStage stage;
-  // The shell needs an ImGui context, which the harness makes; it is there from the first frame on.
-  std::unique_ptr<Shell> shell;
-  UiHarness hand{[this] {
-    studio.tick();
-    if (shell) shell->draw();
-  }};
-
-  void SetUp() override {
-    shell = std::make_unique<Shell>(studio, stage, hand.gui());
-    hand.frames(2);
-  }
-  void TearDown() override { shell.reset(); }
-
-  void create() {
-    studio.setup().replace(small_config());
-    ASSERT_TRUE(studio.create());
-    settle();
-  }
-  // Until the worker has done what it was told, and rests.
-  void settle() {
-    studio.runner().wait_until_still();
-    hand.frames(3);
-  }
-  const Snapshot& now() { return studio.now(); }
-};
 
 // It can be read, so that it fails only when its runs are made.
 TEST(Shell, ARecoveryThatFailsInTheEndOpensTheLog) {

@@ -11,14 +11,28 @@
 
 namespace erg::test {
 
-/// No file can grow beyond so many bytes: writing fails as on a full disk. Any user may set that.
+/// No file can grow beyond so many bytes: writing fails as on a full disk. Any user may set that. The signal that comes
+/// with it ends a process that does not see to it, as a shell's `ulimit -f` does: a test that writes in its own process
+/// holds a SignalIgnored.
 inline void limit_files(rlim_t bytes) {
-  std::signal(SIGXFSZ, SIG_IGN);
   rlimit limit{};
   ::getrlimit(RLIMIT_FSIZE, &limit);
   limit.rlim_cur = bytes;
   ::setrlimit(RLIMIT_FSIZE, &limit);
 }
+
+/// A signal that does nothing for as long as this lives.
+class SignalIgnored {
+ public:
+  explicit SignalIgnored(int signal) : signal_(signal), before_(std::signal(signal, SIG_IGN)) {}
+  SignalIgnored(const SignalIgnored&) = delete;
+  SignalIgnored& operator=(const SignalIgnored&) = delete;
+  ~SignalIgnored() { std::signal(signal_, before_); }
+
+ private:
+  int signal_;
+  void (*before_)(int);
+};
 
 /// The process may take so many bytes of addresses more.
 inline void limit_memory(rlim_t more) {

@@ -267,7 +267,7 @@ TEST_F(ConfigFile, HugeNonsenseIsRefusedInAFewWords) {
 
 TEST_F(ConfigFile, AFileWithoutEndIsRefused) {
   EXPECT_EQ(message([] { read_config("/dev/zero"); }),
-            "/dev/zero: this file is too large; give a text of at most 1 MiB; is it the right one?");
+            "/dev/zero: this file is too large; give a text of at most 16 MiB; is it the right one?");
 }
 
 TEST_F(ConfigFile, RoundTripsWithoutChange) {

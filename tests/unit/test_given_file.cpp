@@ -41,7 +41,7 @@ TEST(TextEncoding, OthersThanUtf8AreNamedWithWhatConvertsThem) {
                                                                {widened(config, 4, 0), "UTF-32LE"},
                                                                {widened(config, 4, 3), "UTF-32BE"}};
   for (const auto& [text, name] : texts) {
-    EXPECT_EQ(message([&] { utf8_text(text, "a.json"); }),
+    EXPECT_EQ(message([&text = text] { utf8_text(text, "a.json"); }),
               "a.json: this text is " + name + ", not UTF-8; save it as UTF-8, or convert it: iconv -f " + name +
                   " -t UTF-8 IN > OUT");
   }

@@ -290,6 +290,18 @@ TEST_F(GroundFromPicture, HeightsThatAConfigGivesHoldAndSoDoDefaultsThatItGives)
   EXPECT_LT(surface(start_simulation(without)).low, 0);
 }
 
+TEST_F(GroundFromPicture, SandBelowZeroIsTold) {
+  Config config = config_of(put({.width = 2, .samples = {0, 65535}}), 2, 1);
+  config.scene.set("image_low", -3.0);
+  for (const char* role : {"bedrock", "sand", "both"}) {
+    config.scene.set("image_role", std::string(role));
+    Notes notes;
+    start_simulation(config, &notes);
+    EXPECT_EQ(static_cast<bool>(tells(notes, "no sand lies where its height is below 0 m")),
+              role == std::string("sand"));
+  }
+}
+
 TEST_F(GroundFromPicture, TheGridIsTakenFromThePictureWhereThatIsAskedFor) {
   Config config = config_of(own_heightmap(), 64, 64);
   config.scene.set("image_fit", std::string("from_file"));

@@ -198,6 +198,8 @@ void DesktopHand::drag(const std::string& name, int right, int down) const {
 
 void DesktopHand::key(const std::string& keys) const { hand("key " + keys, 1); }
 
+void DesktopHand::raw(const std::string& words) const { hand(words, 1); }
+
 void DesktopHand::type(const std::string& text) const { hand("type --delay 2 -- '" + text + "'", text.size()); }
 
 void DesktopHand::edit(const std::string& name) const {

@@ -52,6 +52,8 @@ class DesktopHand {
   void drag(const std::string& name, int right, int down) const;
   /// Keys as xdotool names them: "ctrl+s", "space".
   void key(const std::string& keys) const;
+  /// Keys by their numbers, and other words of xdotool that press some.
+  void raw(const std::string& words) const;
   void type(const std::string& text) const;
   /// Opens an entry or a slider for typing, all of it selected.
   void edit(const std::string& name) const;

@@ -13,22 +13,23 @@ namespace erg {
 inline constexpr float missing_value = -1e38f;
 
 /// Which cells. The window may reach over the edges: a torus goes on there, otherwise the outermost cells do.
-struct LandWindow {
+struct BlockWindow {
   int left = 0;   ///< column of its south-west cell
   int low = 0;    ///< row of its south-west cell
   Extent blocks;  ///< what is drawn, columns and rows
   int block = 1;  ///< cells a side of a block
 
-  bool operator==(const LandWindow&) const = default;
+  bool operator==(const BlockWindow&) const = default;
 };
 
 /// The window over a whole grid in blocks so large that no side has more than `largest` of them.
-LandWindow whole_window(Extent extent, int largest);
+BlockWindow whole_window(Extent extent, int largest);
 
 /// Surface and thickness of the mobile layer (m) of each block, row by row from the south, interleaved.
-void read_land(const Terrain& terrain, const LandWindow& window, std::vector<float>& values);
+void read_land(const Terrain& terrain, const BlockWindow& window, std::vector<float>& values);
 
 /// A field's value for each block, `missing_value` where a cell has none. Returns how many blocks have none.
-std::int64_t read_values(const Grid<float>& field, bool periodic, const LandWindow& window, std::vector<float>& values);
+std::int64_t read_values(const Grid<float>& field, bool periodic, const BlockWindow& window,
+                         std::vector<float>& values);
 
 }  // namespace erg

@@ -1,4 +1,4 @@
-#include "render/land_window.h"
+#include "render/block_window.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ int inside(int index, int count, bool periodic) {
 }
 
 // The column of the grid for each column of cells of the window.
-std::vector<int> columns_of(const LandWindow& window, int count, bool periodic) {
+std::vector<int> columns_of(const BlockWindow& window, int count, bool periodic) {
   std::vector<int> columns(static_cast<std::size_t>(window.blocks.nx) * static_cast<std::size_t>(window.block));
   for (std::size_t column = 0; column < columns.size(); ++column) {
     columns[column] = inside(window.left + static_cast<int>(column), count, periodic);
@@ -30,7 +30,7 @@ void add_row(const Value* row, const std::vector<int>& columns, int block, std::
 
 // The rows of a block, added up.
 template <typename Sum, typename Value>
-void sum_rows(const Grid<Value>& grid, const LandWindow& window, int row, bool periodic,
+void sum_rows(const Grid<Value>& grid, const BlockWindow& window, int row, bool periodic,
               const std::vector<int>& columns, std::vector<Sum>& sums) {
   std::fill(sums.begin(), sums.end(), Sum{});
   for (int step = 0; step < window.block; ++step) {
@@ -41,12 +41,12 @@ void sum_rows(const Grid<Value>& grid, const LandWindow& window, int row, bool p
 
 }  // namespace
 
-LandWindow whole_window(Extent extent, int largest) {
+BlockWindow whole_window(Extent extent, int largest) {
   const int block = (std::max(extent.nx, extent.ny) + largest - 1) / largest;
   return {0, 0, {(extent.nx + block - 1) / block, (extent.ny + block - 1) / block}, block};
 }
 
-void read_land(const Terrain& terrain, const LandWindow& window, std::vector<float>& values) {
+void read_land(const Terrain& terrain, const BlockWindow& window, std::vector<float>& values) {
   const bool periodic = terrain.boundary() == Boundary::torus;
   const std::vector<int> columns = columns_of(window, terrain.nx(), periodic);
   const double unit = terrain.quantum() / (static_cast<double>(window.block) * window.block);
@@ -63,7 +63,7 @@ void read_land(const Terrain& terrain, const LandWindow& window, std::vector<flo
   }
 }
 
-std::int64_t read_values(const Grid<float>& field, bool periodic, const LandWindow& window,
+std::int64_t read_values(const Grid<float>& field, bool periodic, const BlockWindow& window,
                          std::vector<float>& values) {
   const std::vector<int> columns = columns_of(window, field.nx(), periodic);
   std::vector<double> sums(static_cast<std::size_t>(window.blocks.nx));

@@ -1,0 +1,88 @@
+// Who gets the keys: the land, a dialog, a menu; and what CREATE shows.
+#include <gtest/gtest.h>
+
+#include "shell_hand.h"
+
+namespace erg::test {
+namespace {
+
+TEST_F(ShellHand, KeysNeverActThroughADialogOrAMenu) {
+  create();
+  studio.runner().step();
+  settle();
+  for (const char* const dialog : {"KEYS", "SAVE AS", "EXPORT", "PICTURE"}) {
+    shell->open(dialog);
+    hand.frames(3);
+    hand.shortcut('R', false);
+    hand.shortcut('.', false);
+    hand.shortcut(' ', false);
+    settle();
+    EXPECT_EQ(now().step(), 1) << dialog;
+    EXPECT_EQ(now().activity, Activity::paused) << dialog;
+    hand.key(keys::escape);
+    EXPECT_FALSE(shell->is_open(dialog));
+  }
+  hand.click("menu Run");
+  hand.shortcut('R', false);
+  settle();
+  EXPECT_EQ(now().step(), 1) << "a menu is open";
+  hand.key(keys::escape);
+  hand.shortcut('R', false);
+  settle();
+  EXPECT_EQ(now().step(), 0) << "and now none is";
+}
+
+TEST_F(ShellHand, TheLandDoesNotFlyWhileADialogIsTypedInto) {
+  create();
+  const Camera before = shell->scenery().camera.camera();
+  shell->open("KEYS");
+  hand.frames(3);
+  hand.shortcut('W', false);
+  EXPECT_EQ(shell->scenery().camera.camera(), before);
+  hand.key(keys::escape);
+  hand.shortcut('W', false);
+  EXPECT_NE(shell->scenery().camera.camera(), before);
+}
+
+TEST_F(ShellHand, EscapeClosesMenusAndListsAndTheNextClickCounts) {
+  create();
+  hand.click("menu File");
+  EXPECT_TRUE(hand.has("menu File/Save"));
+  hand.key(keys::escape);
+  EXPECT_FALSE(hand.has("menu File/Save"));
+  hand.click("LOOK/show");
+  EXPECT_TRUE(hand.has("LOOK/show=slope"));
+  hand.key(keys::escape);
+  EXPECT_FALSE(hand.has("LOOK/show=slope"));
+  hand.click("RUN/step");
+  settle();
+  EXPECT_EQ(now().step(), 1) << "the click was not swallowed";
+}
+
+TEST_F(ShellHand, AListInADialogClosesBeforeTheDialog) {
+  create();
+  shell->open("COMPARE");
+  hand.frames(3);
+  shell->open("KEYS");
+  hand.frames(3);
+  hand.click("menu Help");
+  hand.key(keys::escape);
+  EXPECT_FALSE(hand.has("menu Help/Log"));
+  EXPECT_TRUE(shell->is_open("KEYS"));
+}
+
+TEST_F(ShellHand, CreateShowsTheNewLandWhole) {
+  create();
+  hand.frames(3);
+  hand.move(hand.place("land").middle());
+  hand.scroll(8);
+  hand.frames(2);
+  const double near = shell->scenery().camera.camera().distance;
+  hand.click("SETUP/CREATE");
+  settle();
+  hand.frames(3);
+  EXPECT_GT(shell->scenery().camera.camera().distance, near);
+}
+
+}  // namespace
+}  // namespace erg::test

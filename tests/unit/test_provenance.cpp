@@ -1,0 +1,85 @@
+#include "io/provenance.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "io/config_file.h"
+#include "io/heightmap.h"
+#include "io/mesh.h"
+#include "io/png.h"
+#include "io/table.h"
+#include "io/vti.h"
+#include "temporary_folder.h"
+
+namespace erg {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A config whose wind has so many seasons, as a record of years has.
+Config of_seasons(int count) {
+  Config config;
+  config.wind.seasons.clear();
+  for (int k = 0; k < count; ++k) {
+    config.wind.seasons.push_back({k * 7 % 360 + 0.5, 3.0 + k % 5, 4, 3, {}});
+  }
+  return config;
+}
+
+std::map<std::string, std::string> entries_of(const Config& config) {
+  const MetadataEntries entries = metadata(provenance_of(config, 0, "cpu", 2));
+  return {entries.begin(), entries.end()};
+}
+
+TEST(Provenance, HoldsAShortConfigAndItsHash) {
+  const Config config;
+  const auto entries = entries_of(config);
+  EXPECT_EQ(entries.at("erg:config"), config_text(config));
+  EXPECT_EQ(entries.at("erg:config-hash").size(), 16u);
+  EXPECT_EQ(entries.count("erg:config-file"), 0u);
+  Config other = config;
+  other.scene.set("sand", 7.0);
+  EXPECT_NE(entries_of(other).at("erg:config-hash"), entries.at("erg:config-hash"));
+}
+
+TEST(Provenance, NamesTheFileOfALongOne) {
+  const auto entries = entries_of(of_seasons(5000));
+  EXPECT_EQ(entries.count("erg:config"), 0u);
+  EXPECT_EQ(entries.at("erg:config-file"), "config-" + entries.at("erg:config-hash") + ".json");
+}
+
+TEST(Provenance, ThousandsOfSeasonsStandOnceBesideAllFiles) {
+  const TemporaryFolder folder;
+  const Config config = of_seasons(5000);
+  const Provenance source = provenance_of(config, 3, "cpu", 2);
+  const Terrain terrain({8, 8}, 1, 0.1);
+  write_heightmap(folder / "h.png", terrain, source);
+  write_vti(folder / "v.vti", terrain, nullptr, source);
+  write_obj(folder / "o.obj", terrain, source);
+  write_ply(folder / "p.ply", terrain, source);
+  write_table(folder / "t.csv", {"step"}, {{1}}, source);
+  write_run_png(folder / "r.png", RgbImage(2, 2), source);
+  int configs = 0;
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    if (entry.path().extension() != ".json") {
+      EXPECT_LT(fs::file_size(entry.path()), 8000u) << entry.path();
+      EXPECT_NE(read_bytes(entry.path()).find("config-"), std::string::npos) << entry.path();
+      continue;
+    }
+    ++configs;
+    EXPECT_EQ(read_config(entry.path()), config) << "it can be run again";
+  }
+  EXPECT_EQ(configs, 1);
+}
+
+TEST(Provenance, WindsOfManyThousandSeasonsAreRead) {
+  const TemporaryFolder folder;
+  const Config config = of_seasons(40000);
+  write_config(folder / "long.json", config);
+  EXPECT_GT(fs::file_size(folder / "long.json"), std::uintmax_t{1} << 20);
+  EXPECT_EQ(read_config(folder / "long.json"), config);
+}
+
+}  // namespace
+}  // namespace erg

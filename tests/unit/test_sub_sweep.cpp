@@ -1,0 +1,41 @@
+#include "transport/sub_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include "core/grid.h"
+#include "transport/slab_cell.h"
+#include "transport/slab_law.h"
+#include "wind/wind_frame.h"
+
+namespace erg {
+namespace {
+
+/// The column that a line meets in a row, which may lie upwind of the grid.
+std::int64_t column(const SubSweep& sweep, const WindFrame& frame, std::int64_t row) {
+  const std::int64_t moved = line_offset(row, sweep.drift, sweep.phase, frame.length) % frame.width;
+  return (moved + frame.width) % frame.width;
+}
+
+TEST(SubSweep, ALineOfATorusIsBackAfterRowsAround) {
+  for (const Extent extent : {Extent{20, 20}, Extent{64, 48}, Extent{21, 50}, Extent{1, 7}}) {
+    for (const double bearing : {270.0, 275.0, 290.0, 315.0, 10.0, 200.5}) {
+      const WindFrame frame = wind_frame(extent, bearing);
+      for (int number = 0; number < 8; ++number) {
+        const SubSweep sweep = sub_sweep(SlabLaw{}, frame, false, {5, 3}, {.sweep = number}, 16, {});
+        EXPECT_EQ(sweep.rows_around % frame.length, 0);
+        EXPECT_LE(sweep.rows_around, std::int64_t{frame.length} * frame.width);
+        for (std::int64_t away = 1; away <= 3 * frame.length; ++away) {
+          ASSERT_EQ(column(sweep, frame, -away), column(sweep, frame, -away - sweep.rows_around))
+              << bearing << " deg, row " << away;
+        }
+        // Not before: somewhere within the turns it is elsewhere.
+        for (std::int64_t rows = frame.length; rows < sweep.rows_around; rows += frame.length) {
+          EXPECT_NE(column(sweep, frame, -1), column(sweep, frame, -1 - rows));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace erg
