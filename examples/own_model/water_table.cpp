@@ -83,7 +83,8 @@ ModelType water_table() {
       {},  // no layers of its own
       2,   // bytes a cell: the cover, here and with the executor
       [](const ParameterValues& values) { return std::make_unique<WaterTable>(values); },
-      explain};
+      explain,
+      slab_step_scale};
 }
 
 }  // namespace erg

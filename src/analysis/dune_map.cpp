@@ -10,6 +10,8 @@
 namespace erg {
 namespace {
 
+double of_dune(std::int32_t thickness) { return thickness >= thinnest_dune ? thickness : 0; }
+
 /// The circular mean of weights that stand on a ring.
 std::optional<double> ring_mean(std::span<const double> weights) {
   double east = 0;
@@ -34,21 +36,22 @@ double interpolated(const Grid<std::int32_t>& mobile, double x, double y) {
   const int y0 = wrap(static_cast<int>(below), mobile.ny());
   const int x1 = wrap(x0 + 1, mobile.nx());
   const int y1 = wrap(y0 + 1, mobile.ny());
-  const double low = std::lerp(static_cast<double>(mobile(x0, y0)), static_cast<double>(mobile(x1, y0)), x - left);
-  const double high = std::lerp(static_cast<double>(mobile(x0, y1)), static_cast<double>(mobile(x1, y1)), x - left);
+  const double low = std::lerp(of_dune(mobile(x0, y0)), of_dune(mobile(x1, y0)), x - left);
+  const double high = std::lerp(of_dune(mobile(x0, y1)), of_dune(mobile(x1, y1)), x - left);
   return std::lerp(low, high, y - below);
 }
 
 }  // namespace
 
-std::optional<GridPoint> sand_centre(const Terrain& terrain) {
+std::optional<GridPoint> dune_centre(const Terrain& terrain) {
+  check_whole(terrain);
   const Grid<std::int32_t>& mobile = terrain.mobile();
   std::vector<double> columns(static_cast<std::size_t>(mobile.nx()));
   std::vector<double> rows(static_cast<std::size_t>(mobile.ny()));
   for (int y = 0; y < mobile.ny(); ++y) {
     for (int x = 0; x < mobile.nx(); ++x) {
-      columns[static_cast<std::size_t>(x)] += mobile(x, y);
-      rows[static_cast<std::size_t>(y)] += mobile(x, y);
+      columns[static_cast<std::size_t>(x)] += of_dune(mobile(x, y));
+      rows[static_cast<std::size_t>(y)] += of_dune(mobile(x, y));
     }
   }
   const auto x = ring_mean(columns);
@@ -64,7 +67,7 @@ double DuneMap::volume() const {
 }
 
 DuneMap dune_map(const Terrain& terrain, double bearing, int reach) {
-  const auto centre = sand_centre(terrain);
+  const auto centre = dune_centre(terrain);
   if (!centre) throw InputError("", "there is no dune to be mapped", "take a terrain with one heap of sand");
   const double turn = radians(bearing);
   const GridPoint downwind{-std::sin(turn), -std::cos(turn)};
@@ -108,7 +111,7 @@ double asymmetry(const DuneMap& map) {
   return mismatch(map, mirrored);
 }
 
-Horns find_horns(const DuneMap& map, double least) {
+HornVolumes find_horns(const DuneMap& map, double least) {
   const auto axis = [&](int x) {
     double sum = 0;
     for (int y = -2; y <= 2; ++y) sum += map.at(x, y);
@@ -119,7 +122,7 @@ Horns find_horns(const DuneMap& map, double least) {
     if (axis(x) > axis(foot)) foot = x;
   }
   while (foot <= map.reach && axis(foot) >= least) ++foot;
-  Horns horns;
+  HornVolumes horns;
   for (int x = foot; x <= map.reach; ++x) {
     for (int y = 1; y <= map.reach; ++y) {
       const auto add = [&](double height, double& volume, int& length) {

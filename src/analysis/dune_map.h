@@ -2,6 +2,7 @@
 // alike, and whether it is the same dune at every bearing.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -16,11 +17,14 @@ struct GridPoint {
   double y = 0;
 };
 
-/// The middle of all mobile material, the grid taken as a torus: the mean direction of its cells along each axis
-/// (circular mean), so a dune may lie across the edge. Nothing where there is no material, or where it lies all around.
-std::optional<GridPoint> sand_centre(const Terrain& terrain);
+/// Mobile material thinner than this many quanta is strewn sand, no dune.
+inline constexpr std::int32_t thinnest_dune = 2;
 
-/// The thickness of the mobile layer around a dune's middle, turned so that the wind blows along +x.
+/// The middle of the dune, the grid taken as a torus: the mean direction of its sand along each axis (circular mean),
+/// so a dune may lie across the edge. Nothing where there is none, or where it lies all around.
+std::optional<GridPoint> dune_centre(const Terrain& terrain);
+
+/// The thickness of a dune around its middle, turned so that the wind blows along +x.
 struct DuneMap {
   int reach = 0;        ///< cells from the middle to each edge
   Grid<double> height;  ///< m; of (2 reach + 1)^2 points a cell apart, the middle in the middle, y to the wind's left
@@ -31,7 +35,7 @@ struct DuneMap {
 };
 
 /// Of the only dune on a torus, for a wind from `bearing` (degrees), interpolated between four cells. The map's reach
-/// should take in the whole dune and be less than half the grid. Throws InputError where there is no sand.
+/// should take in the whole dune and be less than half the grid. Throws InputError where there is no dune.
 DuneMap dune_map(const Terrain& terrain, double bearing, int reach);
 
 /// Point by point; all of one reach, at least one.
@@ -45,14 +49,14 @@ double mismatch(const DuneMap& one, const DuneMap& other);
 double asymmetry(const DuneMap& map);
 
 /// A barchan's horns: sand that lies further downwind than the foot of the slip face on the dune's axis.
-struct Horns {
-  double left = 0;   ///< their volumes, sums of m
+struct HornVolumes {
+  double left = 0;  ///< their volumes, sums of m
   double right = 0;
   int left_length = 0;  ///< cells downwind from the foot that a horn reaches
   int right_length = 0;
 };
-/// The foot is where the axis (mean of five lines) falls below `least` m behind its highest point; what is thinner than
-/// `least` counts nowhere.
-Horns find_horns(const DuneMap& map, double least);
+/// The foot is where the axis (mean of five lines) falls below `least` m behind its highest point; what is thinner
+/// counts nowhere.
+HornVolumes find_horns(const DuneMap& map, double least);
 
 }  // namespace erg

@@ -33,9 +33,9 @@ struct Reach {
   double across_to = std::numeric_limits<double>::lowest();
 };
 
-Reach reach_of(const std::vector<Place>& cells, const WindAxes& wind) {
+Reach reach_of(const std::vector<PatchCell>& cells, const WindAxes& wind) {
   Reach reach;
-  for (const Place& cell : cells) {
+  for (const PatchCell& cell : cells) {
     const double along = wind.along(cell.x, cell.y);
     const double across = wind.across(cell.x, cell.y);
     reach.along_from = std::min(reach.along_from, along);
@@ -47,10 +47,10 @@ Reach reach_of(const std::vector<Place>& cells, const WindAxes& wind) {
 }
 
 /// How far downwind the outline reaches on each line a cell wide along the wind, from right to left, in cells.
-std::vector<double> downwind_edge(const std::vector<Place>& cells, const WindAxes& wind, const Reach& reach) {
+std::vector<double> downwind_edge(const std::vector<PatchCell>& cells, const WindAxes& wind, const Reach& reach) {
   const auto line_of = [&](double across) { return static_cast<std::size_t>(across - reach.across_from + 0.5); };
   std::vector<double> edge(line_of(reach.across_to) + 1, reach.along_from);
-  for (const Place& cell : cells) {
+  for (const PatchCell& cell : cells) {
     double& line = edge[line_of(wind.across(cell.x, cell.y))];
     line = std::max(line, wind.along(cell.x, cell.y));
   }
@@ -81,14 +81,14 @@ std::optional<Horns> horns_of(const std::vector<double>& edge) {
   return deepest;
 }
 
-std::optional<double> slip_face_of(const std::vector<Place>& cells, const Terrain& terrain, const WindAxes& wind) {
+std::optional<double> slip_face_of(const std::vector<PatchCell>& cells, const Terrain& terrain, const WindAxes& wind) {
   const auto height = [&](int x, int y) {
     return static_cast<double>(terrain.height(wrap(x, terrain.nx()), wrap(y, terrain.ny())));
   };
   const double to_slope = terrain.quantum() / (6 * terrain.cell_size());
   const double least = std::tan(radians(least_slip_slope));
   std::vector<double> slopes;
-  for (const Place& cell : cells) {
+  for (const PatchCell& cell : cells) {
     double east = 0;
     double north = 0;
     for (int beside = -1; beside <= 1; ++beside) {
@@ -103,15 +103,15 @@ std::optional<double> slip_face_of(const std::vector<Place>& cells, const Terrai
   return degrees(std::atan(*middle));
 }
 
-double arms_of(const std::vector<Place>& cells, const WindAxes& wind) {
+double arms_of(const std::vector<PatchCell>& cells, const WindAxes& wind) {
   const auto count = static_cast<double>(cells.size());
   double middle_x = 0, middle_y = 0;
-  for (const Place& cell : cells) {
+  for (const PatchCell& cell : cells) {
     middle_x += cell.x / count;
     middle_y += cell.y / count;
   }
   double along2 = 0, across2 = 0, bent = 0;
-  for (const Place& cell : cells) {
+  for (const PatchCell& cell : cells) {
     const double along = wind.along(cell.x - middle_x, cell.y - middle_y);
     const double across = wind.across(cell.x - middle_x, cell.y - middle_y);
     along2 += along * along / count;
@@ -122,10 +122,10 @@ double arms_of(const std::vector<Place>& cells, const WindAxes& wind) {
 }
 
 /// Place, height and volume.
-void measure_sand(const std::vector<Place>& cells, const Terrain& terrain, std::int32_t base, Dune& dune) {
+void measure_sand(const std::vector<PatchCell>& cells, const Terrain& terrain, std::int32_t base, Dune& dune) {
   double sand = 0, moment_x = 0, moment_y = 0;
   std::int32_t thickest = 0;
-  for (const Place& cell : cells) {
+  for (const PatchCell& cell : cells) {
     const std::int32_t slabs = terrain.mobile()(wrap(cell.x, terrain.nx()), wrap(cell.y, terrain.ny())) - base;
     thickest = std::max(thickest, slabs);
     sand += slabs;
@@ -139,7 +139,8 @@ void measure_sand(const std::vector<Place>& cells, const Terrain& terrain, std::
   dune.volume = sand * terrain.quantum() * side * side;
 }
 
-Dune measure_dune(const std::vector<Place>& cells, const Terrain& terrain, const WindAxes& wind, std::int32_t base) {
+Dune measure_dune(const std::vector<PatchCell>& cells, const Terrain& terrain, const WindAxes& wind,
+                  std::int32_t base) {
   Dune dune;
   dune.cells = static_cast<std::int64_t>(cells.size());
   measure_sand(cells, terrain, base, dune);
@@ -158,9 +159,9 @@ Dune measure_dune(const std::vector<Place>& cells, const Terrain& terrain, const
 }  // namespace
 
 DuneRule DuneRule::usual(const Terrain& terrain) {
+  check_whole(terrain);
   const auto cells = terrain.mobile().cells();
   DuneRule rule;
-  if (cells.empty()) return rule;
   std::vector<std::int32_t> sorted(cells.begin(), cells.end());
   const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 10);
   std::nth_element(sorted.begin(), tenth, sorted.end());
@@ -171,11 +172,12 @@ DuneRule DuneRule::usual(const Terrain& terrain) {
 }
 
 DuneOutlines find_dunes(const Terrain& terrain, double bearing, const DuneRule& rule) {
+  check_whole(terrain);
   // Cells without sand over the base belong to no dune, whatever the rule says.
   const SandPatches patches = find_patches(terrain, std::max(rule.least, rule.base + 1), rule.smallest);
   DuneOutlines outlines{rule, {}, patches.endless, patches.cut};
   const WindAxes wind(bearing);
-  for (const std::vector<Place>& cells : patches.whole) {
+  for (const std::vector<PatchCell>& cells : patches.whole) {
     outlines.dunes.push_back(measure_dune(cells, terrain, wind, rule.base));
   }
   return outlines;

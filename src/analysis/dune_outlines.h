@@ -62,7 +62,8 @@ struct DuneOutlines {
   std::int64_t cut = 0;      ///< patches that an open edge cuts off, likewise
 };
 
-/// Finds and measures the dunes of `terrain` for a wind from `bearing` (degrees).
+/// Finds and measures the dunes of `terrain` for a wind from `bearing` (degrees). Throws InputError for one without
+/// cells.
 DuneOutlines find_dunes(const Terrain& terrain, double bearing, const DuneRule& rule);
 /// The same by the usual rule.
 DuneOutlines find_dunes(const Terrain& terrain, double bearing);

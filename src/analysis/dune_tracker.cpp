@@ -8,7 +8,7 @@
 namespace erg {
 namespace {
 
-constexpr double most_growth = 1.5;  // in volume, between two looks
+constexpr double most_growth = 1.1;  // in volume, between two looks
 
 double distance(const Dune& from, const Dune& to, const Terrain& land) {
   const DuneWay way = way_between(from, to, land);

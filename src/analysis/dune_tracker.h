@@ -17,8 +17,9 @@ struct DuneWay {
 
 /// Which dune of `earlier` each of `later` is; nothing for one that is new, has merged or has split. Two dunes are one
 /// where each is the other's nearest, their middles are less than half the earlier one's length or width apart
-/// (whichever is longer), and neither has more than 1.5 times the sand of the other. `land` says how far the torus
-/// reaches, if it is one. So between two looks dunes should move less than half their length.
+/// (whichever is longer), and neither has more than 1.1 times the sand of the other: one that joins or loses a piece is
+/// another. `land` says how far the torus reaches, if it is one. So between two looks dunes should move less than half
+/// their length.
 std::vector<std::optional<std::size_t>> match_dunes(const std::vector<Dune>& earlier, const std::vector<Dune>& later,
                                                     const Terrain& land);
 

@@ -93,6 +93,11 @@ void MigrationTracker::observe(std::int64_t step, const CoarseSurface& surface) 
   last_step_ = step;
 }
 
+void MigrationTracker::start_anew() {
+  steps_ = 0;
+  travelled_ = {};
+}
+
 std::optional<Shift> MigrationTracker::velocity() const {
   if (steps_ == 0) return std::nullopt;
   const auto steps = static_cast<double>(steps_);

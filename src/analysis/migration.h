@@ -27,6 +27,8 @@ class MigrationTracker {
   void observe(std::int64_t step, const CoarseSurface& surface);
   /// Forgets everything, for example after an edit.
   void restart() { *this = MigrationTracker(); }
+  /// Counts velocity anew from the last observation.
+  void start_anew();
   /// Steps between the first and the last observation that have a measured shift.
   std::int64_t steps() const { return steps_; }
   /// Mean velocity over those steps, cells a step; nothing before two observations of a surface that is not flat.

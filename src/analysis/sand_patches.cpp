@@ -18,13 +18,13 @@ class PatchSearch {
   bool starts_patch(int x, int y) const { return thickness_(x, y) >= least_ && !seen_(x, y); }
 
   /// The patch around (x, y); `endless` and `cut` speak of it afterwards.
-  std::vector<Place> follow(int x, int y) {
+  std::vector<PatchCell> follow(int x, int y) {
     endless_ = cut_ = false;
-    std::vector<Place> patch;
+    std::vector<PatchCell> patch;
     visit({x, y}, patch);
     for (std::size_t next = 0; next < patch.size(); ++next) {
-      const Place at = patch[next];
-      for (const Place beside : {Place{at.x + 1, at.y}, {at.x - 1, at.y}, {at.x, at.y + 1}, {at.x, at.y - 1}}) {
+      const PatchCell at = patch[next];
+      for (const PatchCell beside : {PatchCell{at.x + 1, at.y}, {at.x - 1, at.y}, {at.x, at.y + 1}, {at.x, at.y - 1}}) {
         visit(beside, patch);
       }
     }
@@ -34,10 +34,10 @@ class PatchSearch {
   bool cut() const { return cut_; }
 
  private:
-  void visit(Place place, std::vector<Place>& patch) {
+  void visit(PatchCell place, std::vector<PatchCell>& patch) {
     const int x = wrap(place.x, thickness_.nx());
     const int y = wrap(place.y, thickness_.ny());
-    if (!torus_ && place != Place{x, y}) {
+    if (!torus_ && place != PatchCell{x, y}) {
       cut_ = true;
       return;
     }
@@ -55,7 +55,7 @@ class PatchSearch {
   bool torus_;
   std::int32_t least_;
   Grid<std::uint8_t> seen_;
-  Grid<Place> places_;
+  Grid<PatchCell> places_;
   bool endless_ = false;
   bool cut_ = false;
 };
@@ -69,7 +69,7 @@ SandPatches find_patches(const Terrain& terrain, std::int32_t least, std::int64_
   for (int y = 0; y < terrain.ny(); ++y) {
     for (int x = 0; x < terrain.nx(); ++x) {
       if (!search.starts_patch(x, y)) continue;
-      std::vector<Place> cells = search.follow(x, y);
+      std::vector<PatchCell> cells = search.follow(x, y);
       if (static_cast<std::int64_t>(cells.size()) < smallest) continue;
       if (search.endless()) {
         ++patches.endless;

@@ -9,17 +9,17 @@
 namespace erg {
 
 /// A cell of the endless plane that the torus tiles; on open ground a cell of the grid.
-struct Place {
+struct PatchCell {
   int x = 0;
   int y = 0;
-  bool operator==(const Place&) const = default;
+  bool operator==(const PatchCell&) const = default;
 };
 
 /// The patches of a terrain.
 struct SandPatches {
-  std::vector<std::vector<Place>> whole;  ///< each without jumps at the torus' edge
-  std::int64_t endless = 0;               ///< how many reach around the torus and meet themselves
-  std::int64_t cut = 0;                   ///< how many an open edge cuts off
+  std::vector<std::vector<PatchCell>> whole;  ///< each without jumps at the torus' edge
+  std::int64_t endless = 0;                   ///< how many reach around the torus and meet themselves
+  std::int64_t cut = 0;                       ///< how many an open edge cuts off
 };
 
 /// All patches of at least `smallest` cells whose mobile layer is at least `least` quanta thick. Cells belong together

@@ -32,7 +32,10 @@ SpectrumNumbers measure_spectrum(const CoarseSurface& surface) {
   // from north: 90 - (angle + 90).
   const double crest = -degrees(0.5 * std::atan2(sine, cosine));
   const double folded = crest < 0 ? crest + 180 : crest;
-  return {power_sum / wave_number_sum, folded >= 180 ? 0 : folded + 0.0, std::hypot(cosine, sine) / power_sum};
+  SpectrumNumbers numbers{
+      power_sum / wave_number_sum, std::hypot(cosine, sine) / power_sum, folded >= 180 ? 0 : folded + 0.0, {}};
+  if (numbers.alignment >= least_alignment) numbers.crest_bearing = numbers.axis;
+  return numbers;
 }
 
 }  // namespace erg

@@ -115,6 +115,7 @@ StarArms count_arms(const Grid<double>& heights, int x, int y, double reach) {
 }
 
 std::vector<StarArms> find_stars(const Terrain& terrain, double apart) {
+  check_whole(terrain);
   const Grid<double> heights = mean_of_three(terrain);
   std::vector<std::size_t> order(heights.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

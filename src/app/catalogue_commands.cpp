@@ -8,6 +8,7 @@
 #include "app/text_table.h"
 #include "core/joined.h"
 #include "models/model.h"
+#include "sim/step_time.h"
 
 namespace erg {
 namespace {
@@ -63,7 +64,7 @@ ExitCode print_models() {
 ExitCode print_model(const std::string& key, bool markdown) {
   const ModelType& type = find_model(key);
   const ModelInfo& info = type.info;
-  const std::vector<std::string> meanings = type.explain(ParameterValues(type.parameters), info.start.cell_size);
+  const std::vector<std::string> meanings = explain(Config(type));
   const char* bullet = markdown ? "- " : "  ";
 
   std::cout << (markdown ? "# " : "") << info.title << " (`" << info.key << "`)\n\n";

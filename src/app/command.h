@@ -23,6 +23,7 @@ using Action = std::function<ExitCode()>;
 /// Each of these adds one command (its options and help) to `program`; when it is named, `action` is set.
 void add_gui_command(CLI::App& program, Action& action);
 void add_run_command(CLI::App& program, Action& action);
+void add_measure_command(CLI::App& program, Action& action);
 void add_render_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
 void add_models_command(CLI::App& program, Action& action);

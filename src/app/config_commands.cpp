@@ -12,6 +12,7 @@
 #include "io/config_file.h"
 #include "io/start_simulation.h"
 #include "models/model.h"
+#include "sim/step_time.h"
 
 namespace erg {
 namespace {
@@ -25,9 +26,7 @@ ExitCode check_config(const std::string& name) {
   const ModelType& type = find_model(config.model);
   std::cout << path << ": good; " << type.info.title << ", " << config.grid.integer("nx") << " x "
             << config.grid.integer("ny") << " cells, " << config.run.integer("steps") << " steps\n";
-  for (const std::string& meaning : type.explain(config.parameters, config.grid.real("cell_size"))) {
-    std::cout << "  " << meaning << "\n";
-  }
+  for (const std::string& meaning : explain(config)) std::cout << "  " << meaning << "\n";
   for (const std::string& note : notes) std::cout << "  note: " << note << "\n";
   return exit_done;
 }

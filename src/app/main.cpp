@@ -23,6 +23,7 @@ ExitCode run_program(int argument_count, char** arguments) {
   Action action = open_gallery_window;
   add_gui_command(program, action);
   add_run_command(program, action);
+  add_measure_command(program, action);
   add_render_command(program, action);
   add_check_command(program, action);
   add_models_command(program, action);

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "analysis/crests.h"
 #include "core/exact_text.h"
+#include "core/units.h"
+#include "io/config_file.h"
 #include "io/provenance.h"
+#include "sim/step_time.h"
 #include "wind/shadow.h"
 
 namespace erg {
@@ -67,44 +72,91 @@ RunStatistics MeasuredRun::statistics() {
   return numbers;
 }
 
-std::string statistics_json(Simulation& simulation, const RunStatistics& numbers) {
+namespace {
+
+/// The numbers of `--stats` and, beside them, what they are measured in.
+class NumbersWithUnits {
+ public:
+  /// `unit`: "" for what is no quantity, "1" for a pure number.
+  template <typename Value>
+  void add(const std::string& key, const char* unit, const Value& value) {
+    object_[key] = value;
+    if (*unit != 0) units_[key] = unit;
+  }
+  template <typename Value>
+  void add(const std::string& key, const char* unit, const std::optional<Value>& value) {
+    value ? add(key, unit, *value) : add(key, unit, nullptr);
+  }
+  /// All of them, the units under "units" at the end.
+  nlohmann::ordered_json finish() {
+    object_["units"] = units_;
+    return std::move(object_);
+  }
+
+ private:
+  nlohmann::ordered_json object_;
+  nlohmann::ordered_json units_;
+};
+
+void add_run(NumbersWithUnits& all, Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
-  nlohmann::ordered_json object;
-  object["version"] = program_version();
-  object["title"] = simulation.config().title;
-  object["model"] = simulation.config().model;
-  object["nx"] = terrain.nx();
-  object["ny"] = terrain.ny();
-  object["cell_size"] = terrain.cell_size();
-  object["slab_height"] = terrain.quantum();
-  object["steps"] = simulation.step_count();
-  object["seed"] = simulation.config().run.integer("seed");
-  object["executor"] = simulation.executor().name();
-  object["threads"] = simulation.executor().threads();
-  object["instructions"] = to_string(wanted_instruction_set());
-  object["sweeps"] = simulation.config().run.integer("sweeps");
-  object["max_slabs"] = numbers.shape.max_slabs;
-  object["mean_slabs"] = numbers.shape.mean_slabs;
-  object["sd_slabs"] = numbers.shape.sd_slabs;
-  object["bare_fraction"] = numbers.shape.bare_fraction;
-  object["shadow_fraction"] = numbers.shadow_fraction;
-  object["mass_start"] = numbers.ledger.start;
-  object["mass_now"] = numbers.mass_now;
-  object["mass_in"] = numbers.ledger.in;
-  object["mass_out"] = numbers.ledger.out;
-  object["lifts"] = numbers.totals.lifts;
-  object["polls"] = numbers.totals.polls;
-  object["flux"] = numbers.flux;
-  object["migration_x"] = numbers.migration.x;
-  object["migration_y"] = numbers.migration.y;
-  object["wavelength"] = numbers.spectrum.wavelength;
-  object["crest_spacing"] = numbers.crest_spacing;
-  object["crest_bearing"] = numbers.spectrum.crest_bearing;
-  object["state_hash"] = hash_text(numbers.hash);
-  object["seconds"] = numbers.seconds;
-  object["polls_per_second"] = numbers.polls_per_second;
-  for (const Reading& reading : numbers.readings) object[reading.key] = reading.value;
-  if (simulation.finished()) object["why_finished"] = simulation.totals().why_finished;
+  const Config& config = simulation.config();
+  all.add("version", "", program_version());
+  all.add("title", "", config.title);
+  all.add("model", "", config.model);
+  all.add("nx", "cells", terrain.nx());
+  all.add("ny", "cells", terrain.ny());
+  all.add("cell_size", "m", terrain.cell_size());
+  all.add("slab_height", "m", terrain.quantum());
+  all.add("steps", "steps", simulation.step_count());
+  const double seconds = step_scale(config).seconds;
+  all.add("days_a_step", "days", seconds > 0 ? std::optional(seconds / seconds_a_day) : std::nullopt);
+  all.add("days", "days", seconds > 0 ? std::optional(days_after(config, simulation.step_count())) : std::nullopt);
+  all.add("wind_bearing", "deg", simulation.last_wind().bearing);
+  all.add("wind_strength", simulation.model_type().info.strength_label.c_str(), simulation.last_wind().strength);
+  all.add("seed", "", config.run.integer("seed"));
+  all.add("executor", "", simulation.executor().name());
+  all.add("threads", "1", simulation.executor().threads());
+  all.add("instructions", "", to_string(wanted_instruction_set()));
+  all.add("sweeps", "1", config.run.integer("sweeps"));
+}
+
+void add_numbers(NumbersWithUnits& all, const RunStatistics& numbers) {
+  all.add("max_slabs", "slabs", numbers.shape.max_slabs);
+  all.add("mean_slabs", "slabs", numbers.shape.mean_slabs);
+  all.add("sd_slabs", "slabs", numbers.shape.sd_slabs);
+  all.add("bare_fraction", "1", numbers.shape.bare_fraction);
+  all.add("shadow_fraction", "1", numbers.shadow_fraction);
+  all.add("mass_start", "slabs", numbers.ledger.start);
+  all.add("mass_now", "slabs", numbers.mass_now);
+  all.add("mass_in", "slabs", numbers.ledger.in);
+  all.add("mass_out", "slabs", numbers.ledger.out);
+  all.add("lifts", "slabs", numbers.totals.lifts);
+  all.add("polls", "cells", numbers.totals.polls);
+  all.add("flux", "slabs/step", numbers.flux);
+  all.add("migration_x", "cells/step", numbers.migration.x);
+  all.add("migration_y", "cells/step", numbers.migration.y);
+  all.add("wavelength", "cells", numbers.spectrum.wavelength);
+  all.add("crest_spacing", "cells", numbers.crest_spacing);
+  all.add("crest_bearing", "deg", numbers.spectrum.crest_bearing);
+  all.add("alignment", "1", numbers.spectrum.alignment);
+  all.add("state_hash", "", hash_text(numbers.hash));
+  all.add("seconds", "s", numbers.seconds);
+  all.add("polls_per_second", "cells/s", numbers.polls_per_second);
+}
+
+}  // namespace
+
+std::string statistics_json(Simulation& simulation, const RunStatistics& numbers) {
+  NumbersWithUnits all;
+  add_run(all, simulation);
+  add_numbers(all, numbers);
+  for (const Reading& reading : numbers.readings) {
+    all.add(reading.key, reading.unit.empty() ? "1" : reading.unit.c_str(), reading.value);
+  }
+  if (simulation.finished()) all.add("why_finished", "", simulation.totals().why_finished);
+  nlohmann::ordered_json object = all.finish();
+  object["config"] = nlohmann::ordered_json::parse(config_text(simulation.config()));
   return object.dump(2) + "\n";
 }
 

@@ -34,14 +34,7 @@ struct RenderRequest {
   PictureRequest picture;
 };
 
-bool is_checkpoint(const std::string& source) { return std::filesystem::path(source).extension() == ".checkpoint"; }
-
-Simulation start(const RenderRequest& request) {
-  RunRequest run;
-  (is_checkpoint(request.source) ? run.resume : run.config) = request.source;
-  run.assignments = request.assignments;
-  return start_simulation(run);
-}
+Simulation start(const RenderRequest& request) { return start_from(request.source, request.assignments); }
 
 /// The step that the picture shows.
 std::int64_t last_step(const RenderRequest& request, const Simulation& simulation) {

@@ -21,6 +21,7 @@
 #include "core/exact_text.h"
 #include "io/atomic_file.h"
 #include "io/provenance.h"
+#include "sim/step_time.h"
 #include "wind/bearing.h"
 
 namespace erg {
@@ -61,9 +62,25 @@ void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& r
     if (film != nullptr && simulation.step_count() % request.frames == 0) film->add_frame(simulation);
     if (output == nullptr) continue;
     const bool end = run.finished();
+    const std::int64_t soon = simulation.step_count() + RunMeter::good_look;
+    if (row_every > RunMeter::good_look && (soon == last || soon % row_every == 0)) output->glance();
     if (end || simulation.step_count() % row_every == 0) output->add_row();
     if (!end && request.every > 0 && simulation.step_count() % request.every == 0) output->write_state();
   }
+}
+
+std::string crests_text(const SpectrumNumbers& spectrum) {
+  const std::string alignment = "alignment " + fixed_text(spectrum.alignment, 2);
+  if (!spectrum.crest_bearing) return "along no one bearing (" + alignment + ")";
+  return "along " + fixed_text(*spectrum.crest_bearing, 0) + "° (" + alignment + ")";
+}
+
+std::string migration_text(const Shift& migration) {
+  const double speed = std::hypot(migration.x, migration.y);
+  const std::string text = fixed_text(speed, 3) + " cells a step";
+  if (!(speed > 0)) return text;
+  // Of what moves toward (x, y), as opposed to a wind that blows from there.
+  return text + " toward " + fixed_text(bearing_of({-migration.x, -migration.y}), 0) + "°";
 }
 
 void print_summary(Simulation& simulation, const RunStatistics& numbers) {
@@ -72,13 +89,13 @@ void print_summary(Simulation& simulation, const RunStatistics& numbers) {
             << " million polls/s, " << executor_text(simulation.executor().name(), simulation.executor().threads())
             << ")\n";
   if (simulation.finished()) std::cout << "  ended early: " << simulation.totals().why_finished << "\n";
-  const double speed = std::hypot(numbers.migration.x, numbers.migration.y);
   std::cout << "  thickest column " << numbers.shape.max_slabs << " slabs, standard deviation "
             << fixed_text(numbers.shape.sd_slabs, 2) << ", bare " << fixed_text(numbers.shape.bare_fraction * 100, 1)
             << "%, in shadow " << fixed_text(numbers.shadow_fraction * 100, 1) << "%\n"
-            << "  wavelength " << fixed_text(numbers.spectrum.wavelength, 1) << " cells, crests along "
-            << fixed_text(numbers.spectrum.crest_bearing, 0) << " deg, migration " << fixed_text(speed, 3)
-            << " cells a step\n";
+            << "  crests " << fixed_text(numbers.crest_spacing, 1) << " cells apart, " << crests_text(numbers.spectrum)
+            << ", migration " << migration_text(numbers.migration) << "\n";
+  const double seconds = step_scale(simulation.config()).seconds * static_cast<double>(simulation.step_count());
+  if (seconds > 0) std::cout << "  in the world " << world_time_text(seconds) << "\n";
 }
 
 const std::vector<std::string>& formats(const RunRequest& request) {

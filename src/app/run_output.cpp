@@ -81,9 +81,17 @@ fs::path RunOutput::numbered(std::int64_t step, const std::string& ending) const
 }
 
 void RunOutput::add_row() {
-  // On resuming the row of this step is there, with what was counted up to it.
-  if (table_ == nullptr || table_->last() == static_cast<double>(simulation_.step_count())) return;
+  if (table_ == nullptr) return;
+  if (table_->last() == static_cast<double>(simulation_.step_count())) {
+    // On resuming the row of this step is there, with what was counted up to it.
+    meter_.glance(simulation_);
+    return;
+  }
   table_->add(meter_.take(simulation_));
+}
+
+void RunOutput::glance() {
+  if (table_ != nullptr) meter_.glance(simulation_);
 }
 
 void RunOutput::write_state() {

@@ -27,6 +27,8 @@ class RunOutput {
   /// Adds the present numbers to the CSV, if there is one. Lifts, polls and flux are those since the last row. Throws
   /// WriteError, as do the others.
   void add_row();
+  /// Takes note of where the dunes stand, for the migration in the next row (RunMeter::glance).
+  void glance();
   /// Writes the present state in every other format, the checkpoint first.
   void write_state();
   /// Writes a checkpoint, whatever the formats, unless that of this step is written; its path.

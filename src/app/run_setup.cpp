@@ -112,6 +112,15 @@ Simulation start_simulation(const RunRequest& request) {
   return Simulation(std::move(config), std::move(saved.state));
 }
 
+bool is_checkpoint(const std::string& source) { return std::filesystem::path(source).extension() == ".checkpoint"; }
+
+Simulation start_from(const std::string& source, const std::vector<std::string>& assignments) {
+  RunRequest request;
+  (is_checkpoint(source) ? request.resume : request.config) = source;
+  request.assignments = assignments;
+  return start_simulation(request);
+}
+
 bool writes_files(const RunRequest& request) {
   return !request.out.empty() || !request.formats.empty() || request.every > 0;
 }

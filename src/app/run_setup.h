@@ -30,6 +30,12 @@ struct RunRequest {
 /// all mistakes of config and options.
 Simulation start_simulation(const RunRequest& request);
 
+/// Whether what a command was given is a checkpoint, by its name's ending; else it is a config or a preset.
+bool is_checkpoint(const std::string& source);
+
+/// The same for commands that take a config, a preset or a checkpoint, with the assignments of --set.
+Simulation start_from(const std::string& source, const std::vector<std::string>& assignments);
+
 /// Whether files are written while it runs.
 bool writes_files(const RunRequest& request);
 /// The folder of its files: the one asked for, or the usual one.

@@ -21,7 +21,7 @@ std::string published_section(const ValidationOptions& options);
 std::vector<std::string> published_presets();
 /// `serial` and `cpu`: the statistics of the same scenes over several seeds.
 std::string executors_section(const ValidationOptions& options);
-/// Barchans under a straight and several oblique winds.
+/// Dunes under winds from several bearings, with and without a spread: one barchan, crests under two winds, fields.
 std::string bearings_section(const ValidationOptions& options);
 /// Which forms sintering snow takes, by wind and calm hours.
 std::string snow_section(const ValidationOptions& options);

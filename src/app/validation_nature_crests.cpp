@@ -10,9 +10,9 @@
 namespace erg {
 namespace {
 
-constexpr double orientation_bound = 10;  // degrees
-constexpr double flux_up = 1.6;           // Gao et al. 2015
-constexpr double least_alignment = 0.3;   // less: crests run no one way, and their bearing means nothing
+constexpr double orientation_bound = 10;      // degrees
+constexpr double flux_up = 1.6;               // Gao et al. 2015
+constexpr double least_mean_alignment = 0.3;  // less: crests run no one way, and their bearing means nothing
 
 /// Two winds from `divergence` degrees apart; the first blows `ratio` times as long.
 struct TwoWinds {
@@ -85,7 +85,7 @@ CrestRun crest_run(const CrestScene& scene, TwoWinds winds, int season, double m
   const std::int64_t cycle = first.steps + second.steps;
   while (simulation.step_count() < scene.steps || simulation.step_count() % cycle != 0) simulation.step();
   const SpectrumNumbers crests = measure_spectrum(coarse_surface(simulation.terrain(), Layer::surface));
-  return {std::remainder(crests.crest_bearing - middle, 180.0), crests.alignment};
+  return {std::remainder(crests.axis - middle, 180.0), crests.alignment};
 }
 
 /// The mean axis, degrees from -90 to 90.
@@ -155,7 +155,7 @@ std::string crest_table(const CrestScene& scene, const CrestPlan& plan, const st
       const std::vector<CrestRun> runs(next, next + each);
       Sample alignment;
       for (const CrestRun& run : runs) alignment.add(run.alignment);
-      const bool aligned = alignment.mean() >= least_alignment;
+      const bool aligned = alignment.mean() >= least_mean_alignment;
       const auto judged = [&](const std::vector<double>& trends) -> std::string {
         if (!aligned) return trends.size() > 1 ? "mixed" : "**no one way**";
         return fixed_text(misfit(runs, trends), 0) + " " + verdict(misfit(runs, trends), orientation_bound);
@@ -177,8 +177,8 @@ std::string crests_under_two_winds(const ValidationOptions& options) {
   const CrestScene momiji{"momiji", 192, 500};
   std::string text =
       "### Crests under two winds\n\nCrests should lie where the winds together carry most sand across them, |q1 sin "
-      "a1| "
-      "+ |q2 sin a2| (Rubin & Hunter 1987: g 0), or where a bedform grows fastest if a crest speeds the wind up, the "
+      "a1| + |q2 sin a2| (Rubin & Hunter 1987: g 0), or where a bedform grows fastest if a crest speeds the wind up, "
+      "the "
       "sum of q |sin a| (1 + g |sin a|) with g 1.6 (Courrech du Pont et al. 2014; Gao et al. 2015). Both winds of the "
       "default strength, the first blows *ratio* times as long as the second, whose seasons last as many steps as the "
       "heading says; 10 slabs of sand a cell, " +
@@ -189,7 +189,7 @@ std::string crests_under_two_winds(const ValidationOptions& options) {
       " bearings of the middle; aligned: 1 for crests that all run one way, 0 for none; off: root mean square over "
       "these runs, *holds* within " +
       fixed_text(orientation_bound, 0) + " degrees. Where crests are aligned by less than " +
-      fixed_text(least_alignment, 1) +
+      fixed_text(least_mean_alignment, 1) +
       " they have no direction: *mixed* where the law has two that are equal, else it fails.\n\n";
   text += "Werner:\n\n" + crest_table(werner, plan, seasons);
   if (!options.quick) text += "\nMomiji:\n\n" + crest_table(momiji, plan, seasons);

@@ -5,7 +5,7 @@
 namespace erg {
 namespace {
 
-constexpr double exponent_bound = 0.3;
+constexpr double length_exponent_bound = 0.3;
 
 struct RippleRun {
   std::vector<double> lengths;  ///< cm, at each of the watched steps
@@ -61,8 +61,8 @@ std::string ripples_against_wind(const ValidationOptions& options) {
     }
     std::vector<std::string> row{std::to_string(watch[at])};
     for (const Sample& length : lengths) row.push_back(length.text(1));
-    row.insert(row.end(), {by_wind.text(2), verdict(by_wind.mean() - 1, exponent_bound), by_leap.text(2),
-                           verdict(by_leap.mean() - 1, exponent_bound)});
+    row.insert(row.end(), {by_wind.text(2), verdict(by_wind.mean() - 1, length_exponent_bound), by_leap.text(2),
+                           verdict(by_leap.mean() - 1, length_exponent_bound)});
     table.rows.push_back(row);
   }
   return "### Ripple length against wind\n\nBoth the first length of ripples on a flat bed and the last are linear in "
@@ -72,8 +72,8 @@ std::string ripples_against_wind(const ValidationOptions& options) {
          ": length from crest to crest (`crest_spacing`), cm, by steps from a flat bed and friction velocity, m/s; by "
          "u*, by leap: exponent of length against the one and the other, the leaps being those of the young bed "
          "(step " +
-         std::to_string(watch.front()) + "); 1 is linear, *holds* within " + fixed_text(exponent_bound, 1) + ".\n\n" +
-         table.markdown();
+         std::to_string(watch.front()) + "); 1 is linear, *holds* within " + fixed_text(length_exponent_bound, 1) +
+         ".\n\n" + table.markdown();
 }
 
 }  // namespace erg

@@ -44,9 +44,13 @@ double downwind_speed(const SeedRun& run, double bearing) {
   return run.end.migration.x * toward.x + run.end.migration.y * toward.y;
 }
 
-/// How far the crests are from lying across the wind, degrees.
-double crest_off(const SeedRun& run, double bearing) {
-  return std::remainder(run.end.spectrum.crest_bearing - bearing - 90, 180.0);
+/// How far the crests are from lying across the wind, degrees, in those runs in which they run one way.
+std::string crests_off_text(const std::vector<SeedRun>& runs, double bearing) {
+  Sample off;
+  for (const SeedRun& run : runs) {
+    if (const auto crest = run.end.spectrum.crest_bearing) off.add(std::remainder(*crest - bearing - 90, 180.0));
+  }
+  return off.empty() ? "-" : off.text(0);
 }
 
 constexpr const char* ripples_conclusion = R"(
@@ -66,7 +70,7 @@ std::vector<std::string> ripple_row(const std::string& wind, double bearing, con
           text(1, length_cm),
           text(2, height_cm),
           text(1, [](const SeedRun& run) { return length_cm(run) / height_cm(run); }),
-          text(0, [&](const SeedRun& run) { return crest_off(run, bearing); }),
+          crests_off_text(runs, bearing),
           text(3, [&](const SeedRun& run) { return downwind_speed(run, bearing); }),
           text(1, [](const SeedRun& run) { return 100 * reading(run, "hop"); }),
           text(0, [](const SeedRun& run) { return 100 * reading(run, "flight"); }),

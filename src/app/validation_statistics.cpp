@@ -1,12 +1,10 @@
-// The two executors beside each other, and oblique winds beside a straight one.
+// The two executors beside each other.
 #include <algorithm>
 #include <cmath>
 
 #include "app/sample.h"
 #include "app/text_table.h"
 #include "app/validation.h"
-#include "core/units.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {
@@ -80,9 +78,6 @@ std::vector<Sample> measure_columns(const Config& config, const char* executor, 
   return samples;
 }
 
-/// Degrees from -180 to 180.
-double signed_angle(double angle) { return std::remainder(angle, 360.0); }
-
 }  // namespace
 
 std::string executors_section(const ValidationOptions& options) {
@@ -113,49 +108,6 @@ std::string executors_section(const ValidationOptions& options) {
          "column, slabs; bare, shadow: share of cells; wavelength: cells; migration: cells a step. Bold: a difference "
          "above 5% that the larger of the two spreads does not cover.\n\n" +
          table.markdown();
-}
-
-std::string bearings_section(const ValidationOptions& options) {
-  const int seeds = options.quick ? 1 : 3;
-  const std::string side = options.quick ? "256" : "512";
-  const std::string steps = options.quick ? "400" : "1500";
-  TextTable table;
-  table.heading = {"polling", "bearing", "sd", "of 270", "speed", "of 270", "direction off"};
-  for (const char* polling : {"repeated", "nonrepeated"}) {
-    Sample straight_sd;
-    Sample straight_speed;
-    for (const double bearing : {270.0, 255.0, 240.0, 225.0, 180.0}) {
-      Config config = thesis_config("momiji_barchans");
-      for (const std::string& assignment :
-           {"grid.nx=" + side, "grid.ny=" + side, "run.steps=" + steps, std::string("parameters.polling=") + polling}) {
-        set_from_text(config, assignment);
-      }
-      config.wind = Regime::constant(bearing, config.wind.at(0).strength);
-      config.title = "Momiji barchans, wind from " + fixed_text(bearing, 0) + ", " + polling;
-      const std::vector<SeedRun> runs = run_seeds(config, "cpu", seeds);
-      const Sample sd = sample_of(runs, [](const SeedRun& run) { return run.end.shape.sd_slabs; });
-      const Sample velocity = sample_of(runs, speed);
-      const Sample off = sample_of(runs, [bearing](const SeedRun& run) {
-        return signed_angle(bearing_of({run.end.migration.x, run.end.migration.y}) - bearing);
-      });
-      if (straight_sd.empty()) {
-        straight_sd = sd;
-        straight_speed = velocity;
-      }
-      table.rows.push_back({polling, fixed_text(bearing, 0), sd.text(2),
-                            fixed_text(sd.mean() / straight_sd.mean() * 100, 0) + "%", velocity.text(3),
-                            fixed_text(velocity.mean() / straight_speed.mean() * 100, 0) + "%", off.text(1)});
-    }
-  }
-  return "## Oblique winds\n\nMomiji barchans, 3 slabs a cell, " + side + " x " + side + " cells, " + steps +
-         " steps on `cpu` with K 16, mean over " + count_text(seeds, "seed") +
-         ". sd: standard deviation of height, slabs; speed of migration, cells a step; direction off: between the "
-         "direction of migration and the wind, degrees. \"of 270\": against the west wind.\n\n" +
-         table.markdown() +
-         "\nNon-repeated polling is not isotropic: where a row above stands far from 100%, that is by how much. Along "
-         "the grid every hop is the same whole number of cells and every cell is polled exactly once, a regularity "
-         "that keeps dunes small; an oblique wind rounds its hops at random, which breaks it (our explanation, not "
-         "proven). Use repeated polling where the bearing must not matter.\n";
 }
 
 }  // namespace erg

@@ -1,4 +1,4 @@
-// Angles and rounding, in one place.
+// Angles, times and rounding, in one place.
 #pragma once
 
 #include <cmath>
@@ -10,6 +10,9 @@ namespace erg {
 /// An angle in the other unit.
 inline double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 inline double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+inline constexpr double seconds_a_day = 86400;
+inline constexpr double seconds_a_year = 365.25 * seconds_a_day;
 
 /// The same bearing (degrees) in [0, 360).
 inline double fold_bearing(double degrees) {

@@ -1,9 +1,12 @@
 #include "io/provenance.h"
 
+#include <cmath>
+
 #include "core/exact_text.h"
 #include "core/random.h"
 #include "io/atomic_file.h"
 #include "io/config_file.h"
+#include "sim/step_time.h"
 
 namespace erg {
 namespace {
@@ -28,7 +31,8 @@ Provenance provenance_of(const Config& config, std::int64_t step, const std::str
           .step = step,
           .model = config.model,
           .version = program_version(),
-          .executor = executor_text(executor, threads)};
+          .executor = executor_text(executor, threads),
+          .days = days_after(config, step)};
 }
 
 std::string config_hash(const Provenance& provenance) {
@@ -46,6 +50,7 @@ MetadataEntries metadata(const Provenance& provenance) {
   } else {
     entries.emplace_back("erg:config-file", config_file_name(provenance));
   }
+  if (std::isfinite(provenance.days)) entries.emplace_back("erg:days", exact_text(provenance.days));
   return entries;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,8 @@ struct Provenance {
   std::string model;      ///< key in the catalogue
   std::string version;    ///< of the program
   std::string executor;   ///< "cpu, 2 threads"
+  /// Days of the world since step 0 (sim/step_time.h); not-a-number where steps have no time of their own.
+  double days = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The version of this program.
@@ -41,7 +44,8 @@ inline constexpr std::size_t longest_config_within = 4096;
 std::string config_hash(const Provenance& provenance);
 
 /// The provenance as entries: "erg:version", "erg:model", "erg:seed", "erg:step", "erg:executor", "erg:config-hash",
-/// and "erg:config", or "erg:config-file" where that is too long: the name of the file beside. A PNG carries them as
+/// and "erg:config", or "erg:config-file" where that is too long: the name of the file beside; and
+/// "erg:days" where it is known. A PNG carries them as
 /// text chunks, a VTI as field data of strings, a CSV as comment lines before its header.
 MetadataEntries metadata(const Provenance& provenance);
 

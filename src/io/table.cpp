@@ -68,17 +68,23 @@ TableText read_table(const std::filesystem::path& path) {
 
 }  // namespace
 
-void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
-                 const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
+std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
+                       const Provenance& provenance) {
   std::string text = head_text(columns, provenance);
   for (const std::vector<double>& row : rows) text += row_text(row, columns.size());
+  return text;
+}
+
+void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                 const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
   keep_config_beside(path, provenance);
-  write_file_atomically(path, text);
+  write_file_atomically(path, table_text(columns, rows, provenance));
 }
 
 TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : file_(path), columns_(columns) {}
 
-TableFile::TableFile(const std::filesystem::path& path, std::vector<std::string> columns, const Provenance& provenance)
+TableFile::TableFile(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                     const Provenance& provenance)
     : TableFile(path, columns.size()) {
   file_.replace(head_text(columns, provenance));
   keep_config_beside(path, provenance);

@@ -12,6 +12,10 @@
 
 namespace erg {
 
+/// A whole table as text: what write_table writes.
+std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
+                       const Provenance& provenance);
+
 /// Writes a whole table at once: comment lines (#) with the provenance, one header, then rows, each with as many values
 /// as there are columns. Numbers are in the shortest form that reads back exactly; not-a-number stays empty. Throws
 /// WriteError; an older file is then untouched.
@@ -23,7 +27,7 @@ void write_table(const std::filesystem::path& path, const std::vector<std::strin
 class TableFile {
  public:
   /// Starts the file anew. Throws WriteError when it cannot be written, InputError where another run writes it.
-  TableFile(const std::filesystem::path& path, std::vector<std::string> columns, const Provenance& provenance);
+  TableFile(const std::filesystem::path& path, const std::vector<std::string>& columns, const Provenance& provenance);
   /// Goes on with a file of the same columns (a resumed run), or starts one where there is none. Rows whose first
   /// column is `first_step` or more are dropped: the resumed run writes them again. So are rows that are not whole.
   /// Throws InputError for other columns, and where its head tells of a run that this one cannot be the rest of

@@ -1,10 +1,12 @@
 #include "io/vti.h"
 
+#include <cmath>
 #include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "core/exact_text.h"
 #include "io/atomic_file.h"
 #include "io/raw_bytes.h"
 
@@ -69,6 +71,9 @@ std::string header(const Terrain& terrain, const std::vector<PointArray>& arrays
       << "  <ImageData WholeExtent=\"" << extent.str() << "\" Origin=\"" << cell / 2 << ' ' << cell / 2
       << " 0\" Spacing=\"" << cell << ' ' << cell << ' ' << cell << "\">\n    <FieldData>\n";
   for (const auto& [name, text] : metadata(provenance)) out << string_array(name, text);
+  out << "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">"
+      << exact_text(std::isfinite(provenance.days) ? provenance.days : static_cast<double>(provenance.step))
+      << "</DataArray>\n";
   out << "    </FieldData>\n    <Piece Extent=\"" << extent.str() << "\">\n      <PointData Scalars=\"surface\">\n";
   std::uint64_t offset = 0;
   for (const PointArray& array : arrays) {

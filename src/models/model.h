@@ -31,11 +31,16 @@ struct ModelInfo {
   Material material = Material::sand;  ///< what it moves
   ModelStart start = {};               ///< the defaults of a config of this model
   // What it asks for of the weather besides the wind. What it does not is not shown, and refused in a config.
-  bool asks_temperature = false;    ///< deg C over the run
-  bool asks_snowfall = false;       ///< of the wind's seasons, mm of snow an hour
-  std::string steps_a_year = {};    ///< key of the parameter that holds how many steps are a year; "": there is none
-  std::string seconds_a_step = {};  ///< key of the parameter that holds the real time of a step, s; "": there is none
+  bool asks_temperature = false;          ///< deg C over the run
+  bool asks_snowfall = false;             ///< of the wind's seasons, mm of snow an hour
   std::vector<std::string> painted = {};  ///< keys of the fields that people may paint
+};
+
+/// What one time step stands for in the world.
+struct StepScale {
+  double seconds = 0;  ///< of the world; 0 where steps have no time of their own
+  /// m2: volume (pores and all) that passes over flat ground, per metre across the wind; 0 where it is not known.
+  double flux = 0;
 };
 
 /// What the beginning of a run may need besides the terrain.
@@ -92,6 +97,8 @@ struct ModelType {
   std::function<std::unique_ptr<Model>(const ParameterValues&)> make;
   /// What the values mean in slabs and cells, in words for people ("repose 33.7 deg: a step of 3 slabs stands").
   std::function<std::vector<std::string>(const ParameterValues&, double cell_size)> explain;
+  /// What a step stands for under a wind of this mean strength; null: steps have no time of their own.
+  std::function<StepScale(const ParameterValues&, double cell_size, double mean_strength)> step_scale = {};
 };
 
 /// Every model, in the order people should meet them (catalogue.cpp).

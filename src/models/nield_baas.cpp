@@ -4,13 +4,15 @@
 #include <memory>
 #include <utility>
 
+#include "core/units.h"
 #include "models/plants.h"
 #include "models/slab_model.h"
 
 namespace erg {
 namespace {
 
-constexpr SlabFamily plant_family{.repose_angle = 30, .slab_height = 0.1, .polling = "nonrepeated"};
+constexpr SlabFamily plant_family{
+    .repose_angle = 30, .slab_height = 0.1, .polling = "nonrepeated", .timed_by_flux = false};
 
 Parameters nield_baas_parameters() {
   Parameters parameters = slab_parameters(plant_family);
@@ -34,6 +36,11 @@ std::vector<std::string> explain_plants(const ParameterValues& values, double ce
                 values.real("vegetated_repose_angle"), step);
   lines.insert(lines.begin() + 1, line);
   return lines;
+}
+
+StepScale plant_step_scale(const ParameterValues& values, double cell_size, double strength) {
+  return {seconds_a_year / static_cast<double>(values.integer("steps_per_year")),
+          slab_flux(values, cell_size, strength)};
 }
 
 class NieldBaas : public SlabModel {
@@ -79,13 +86,13 @@ ModelType nield_baas() {
            .leaves_out = "water, seasons of growth, roots; wind speed-up over dunes",
            .step = std::string(slab_step) + "; steps_per_year of them are a year",
            .strength_label = slab_strength,
-           .steps_a_year = "steps_per_year",
            .painted = painted_plants()},
           nield_baas_parameters(),
           plant_fields(),
           6,  // the cover, here and with the executor; where each species stood, while plants spread
           [](const ParameterValues& values) { return std::make_unique<NieldBaas>(values); },
-          explain_plants};
+          explain_plants,
+          plant_step_scale};
 }
 
 }  // namespace erg

@@ -52,6 +52,13 @@ Parameters slab_parameters(const SlabFamily& family) {
       choice_parameter("neighbours", "Sliding to neighbours", "4", {"4", "8"},
                        "4: sand slides along rows and columns, as in print; 8: along diagonals too, which "
                        "gives round cones."));
+  if (family.timed_by_flux) {
+    parameters.push_back(real_parameter(
+        "sand_flux", "Sand flux", "m²/year", 50, 0.001, 100000,
+        "Sand (volume with its pores, per metre across the wind) that passes over flat sand in a year. It changes no "
+        "dune: it says how long a step is.",
+        "the default: about what Paris et al. 2019 imply (hops of 8 m, slabs of 0.1 m, p 0.6, steps of 10 days)"));
+  }
   return parameters;
 }
 
@@ -66,6 +73,16 @@ std::vector<std::string> explain_slabs(const ParameterValues& values, double cel
   std::snprintf(shadow, sizeof shadow, "shadow %g deg: the shadow line falls %.3f slabs a cell",
                 values.real("shadow_angle"), shadow_fall(values.real("shadow_angle"), cell_size, slab));
   return {repose, shadow};
+}
+
+double slab_flux(const ParameterValues& values, double cell_size, double strength) {
+  const double p_sand = values.real("p_sand");
+  return p_sand > 0 ? strength / p_sand * values.real("slab_height") * cell_size : 0;
+}
+
+StepScale slab_step_scale(const ParameterValues& values, double cell_size, double strength) {
+  const double flux = slab_flux(values, cell_size, strength);
+  return {flux / values.real("sand_flux") * seconds_a_year, flux};
 }
 
 SlabModel::SlabModel(const SlabFamily& family, ParameterValues values) : family_(family), values_(std::move(values)) {}
@@ -113,7 +130,8 @@ ModelType slab_model_type(ModelInfo info, SlabFamily family) {
           {},
           0,
           [family](const ParameterValues& values) { return std::make_unique<SlabModel>(family, values); },
-          explain_slabs};
+          explain_slabs,
+          slab_step_scale};
 }
 
 }  // namespace erg

@@ -17,14 +17,26 @@ struct SlabFamily {
   double deviation_weight = 0;       ///< of HopLaw
   double slab_height = 1.0 / 3;      ///< default, m
   const char* polling = "repeated";  ///< default
+  bool timed_by_flux = true;         ///< `sand_flux` says how long a step is; false: the model says so by itself
 };
 
-/// The declarations that every model of the family has; with `linear` and `quadratic` where the hop grows with height.
+/// The declarations that every model of the family has; with `linear` and `quadratic` where the hop grows with height,
+/// and `sand_flux` where a step's time follows from it.
 Parameters slab_parameters(const SlabFamily& family);
 
 /// What the values mean on a grid with cells of this size (m), in words: the repose in slabs, the fall of the shadow
 /// line.
 std::vector<std::string> explain_slabs(const ParameterValues& values, double cell_size);
+
+/// Volume that passes over flat ground covered with sand in a step, m2 (per metre across the wind, pores and all), in a
+/// wind of this strength (cells a hop). Every cell lets one slab go on the mean, which comes to rest after 1 / p_sand
+/// hops: strength / p_sand slabs pass a cell, each slab_height * cell_size for every metre across. Where hops grow with
+/// height, strength is that at the reference height, which flat ground has. Cover, shadow and bare ground are left out.
+/// 0 where slabs never come to rest.
+double slab_flux(const ParameterValues& values, double cell_size, double strength);
+
+/// A step's time from `sand_flux`: the time in which so much sand passes in the world as in a step here.
+StepScale slab_step_scale(const ParameterValues& values, double cell_size, double strength);
 
 /// A model that is nothing but its law. Those that do more derive from it.
 class SlabModel : public Model {

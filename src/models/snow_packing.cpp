@@ -6,13 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "core/units.h"
 #include "models/slab_model.h"
 #include "models/snow_density.h"
 
 namespace erg {
 namespace {
 
-constexpr SlabFamily packing_family{};  // Werner's
+constexpr SlabFamily packing_family{.timed_by_flux = false};  // else Werner's
 
 /// Fitted: snow at -20 deg C, Alta and tundra, is frozen after 98 days, as in print.
 constexpr double fitted_rate = 0.0247;
@@ -164,7 +165,10 @@ ModelType snow_packing() {
           snow_packing_fields(),
           5,  // the cover, here and with the executor, with room
           [](const ParameterValues& values) { return std::make_unique<SnowPacking>(values); },
-          explain_packing};
+          explain_packing,
+          [](const ParameterValues& values, double cell_size, double strength) {
+            return StepScale{seconds_a_day, slab_flux(values, cell_size, strength)};
+          }};
 }
 
 }  // namespace erg

@@ -153,15 +153,13 @@ void fill(OctaveTable& table, const Function& function) {
 }
 
 std::vector<std::string> explain_sintering(const ParameterValues& values, double cell_size) {
-  char time[120], loose_snow[160], hop[160];
-  std::snprintf(time, sizeof time, "a step is %g s: an hour is %.0f steps", values.real("time_step"),
-                seconds_per_hour / values.real("time_step"));
+  char loose_snow[160], hop[160];
   std::snprintf(loose_snow, sizeof loose_snow,
                 "at -10 deg C loose snow an hour old lifts from %.1f m/s on; bonding takes %.1f h", mean_threshold(-10),
                 bonding_hours(values, -10));
   std::snprintf(hop, sizeof hop, "a hop in a wind of 10 m/s: %.2f m, %.1f cells", hop_metres(values, 10),
                 hop_metres(values, 10) / cell_size);
-  return {time, loose_snow, hop};
+  return {loose_snow, hop};
 }
 
 class SnowSintering : public Model {
@@ -292,13 +290,15 @@ ModelType snow_sintering() {
            .material = Material::snow,
            .start = {.cell_size = 0.1, .strength = 11, .sand = 6},
            .asks_temperature = true,
-           .asks_snowfall = true,
-           .seconds_a_step = "time_step"},
+           .asks_snowfall = true},
           snow_sintering_parameters(),
           snow_sintering_fields(),
           22,  // heights and weather of SnowMachine; its strips are one for each thread
           [](const ParameterValues& values) { return std::make_unique<SnowSintering>(values); },
-          explain_sintering};
+          explain_sintering,
+          [](const ParameterValues& values, double, double) {
+            return StepScale{values.real("time_step"), 0};
+          }};
 }
 
 }  // namespace erg

@@ -34,6 +34,7 @@ AnyFunction find_function(const char* name) {
 
 // Debian's GLEW asks GLX for every function. This stands in for GLX's own answer, so that contexts without X get
 // theirs.
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" AnyFunction glXGetProcAddressARB(const GLubyte* name) {
   return find_function(reinterpret_cast<const char*>(name));
 }

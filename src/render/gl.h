@@ -17,6 +17,7 @@ namespace erg {
 
 /// The functions of OpenGL 1.1 by their names without "gl".
 struct Gl11 {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a name in brackets declares nothing
 #define ERG_GL11_MEMBER(name) decltype(&::gl##name) name = nullptr;
   ERG_GL11_FUNCTIONS(ERG_GL11_MEMBER)
 #undef ERG_GL11_MEMBER

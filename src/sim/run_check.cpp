@@ -34,11 +34,15 @@ std::optional<Mistake> wind_mistake(const Regime& wind) {
   const Parameter strength = strength_parameter();
   const Parameter steps = season_steps_parameter();
   const Parameter snowfall = season_snowfall_parameter();
+  const Parameter spread = season_spread_parameter();
+  const Parameter hold = season_hold_parameter();
   for (const Season& season : wind.seasons) {
     if (auto mistake = check_value(strength, season.first, "wind")) return mistake;
     if (auto mistake = check_value(strength, season.last, "wind")) return mistake;
     if (auto mistake = check_value(steps, season.steps, "wind")) return mistake;
     if (auto mistake = check_value(snowfall, season.snowfall, "wind")) return mistake;
+    if (auto mistake = check_value(spread, season.spread, "wind")) return mistake;
+    if (auto mistake = check_value(hold, season.hold, "wind")) return mistake;
     if (!(std::abs(season.bearing) <= largest_bearing)) {
       return Mistake{"wind", "a bearing is " + value_text(season.bearing), "give degrees from 0 to 360"};
     }

@@ -106,9 +106,14 @@ void Publisher::stepped(Lockstep& runs, std::int64_t polls) {
   const Clock::time_point begin = Clock::now();
   bool taken = false;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    if (!lanes_[i]->series.due(runs.run(i).step_count())) continue;
-    take_numbers(*lanes_[i], runs.run(i));
-    taken = true;
+    Lane& lane = *lanes_[i];
+    const std::int64_t step = runs.run(i).step_count();
+    const bool due = lane.series.due(step);
+    if (due) take_numbers(lane, runs.run(i));
+    if (!due && lane.series.stride() > RunMeter::longest_look && lane.series.due(step + RunMeter::good_look)) {
+      lane.meter.glance(runs.run(i));
+    }
+    taken = taken || due;
   }
   if (taken) space_out_numbers(begin);
 }

@@ -6,6 +6,7 @@
 
 #include "io/start_simulation.h"
 #include "sim/simulation.h"
+#include "sim/step_time.h"
 
 namespace erg {
 namespace {
@@ -118,9 +119,7 @@ void Setup::reset_all() {
   fresh_seed_ = false;
 }
 
-std::vector<std::string> Setup::explanations() const {
-  return model().explain(config_.parameters, config_.grid.real("cell_size"));
-}
+std::vector<std::string> Setup::explanations() const { return explain(config_); }
 
 std::vector<Mistake> Setup::mistakes() const {
   std::vector<Mistake> found;

@@ -1,9 +1,9 @@
 #include "studio/snapshot.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "io/provenance.h"
+#include "sim/step_time.h"
 
 namespace erg {
 
@@ -40,19 +40,9 @@ double Snapshot::seconds_left() const {
 }
 
 std::string clock_text(const Config& config, std::int64_t step) {
-  std::string text = "step " + std::to_string(step);
-  const auto add = [&text](const char* form, double amount) {
-    char words[48];
-    std::snprintf(words, sizeof words, form, amount);
-    text += words;
-  };
-  const auto steps = static_cast<double>(step);
-  const ModelInfo& model = find_model(config.model).info;
-  if (!model.steps_a_year.empty()) {
-    add(", year %.1f", steps / static_cast<double>(config.parameters.integer(model.steps_a_year)));
-  }
-  if (!model.seconds_a_step.empty()) add(", %.1f h", steps * config.parameters.real(model.seconds_a_step) / 3600);
-  return text;
+  const std::string text = "step " + std::to_string(step);
+  const double seconds = step_scale(config).seconds;
+  return seconds > 0 ? text + ", " + world_time_text(static_cast<double>(step) * seconds) : text;
 }
 
 }  // namespace erg

@@ -86,7 +86,7 @@ struct Snapshot {
   double seconds_left() const;
 };
 
-/// The clock in words: "step 1240", and what that means where the model says so ("step 1240, year 15.5").
+/// The clock in words: "step 1240", and what that means where the model says so ("step 1240, 15.5 years").
 std::string clock_text(const Config& config, std::int64_t step);
 
 }  // namespace erg

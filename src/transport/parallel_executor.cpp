@@ -50,7 +50,7 @@ ParallelExecutor::ParallelExecutor(const ExecutorOptions& options)
 StepReport ParallelExecutor::step(Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
   largest_step_ = std::max({law.bare.straight, law.covered.straight, law.bare.diagonal, law.covered.diagonal});
-  if (!holds(terrain) || !lies_ready_for(frame)) {
+  if (!holds(terrain) || !(lies_ready_for(frame) || turn_rows(frame))) {
     settle(terrain);
     load(terrain, frame);
   }

@@ -93,6 +93,9 @@ class ParallelExecutor : public Executor {
   bool holds(const Terrain& terrain) const { return stamp_ == terrain.stamp(); }
   void load(const Terrain& terrain, const WindFrame& frame);
   bool lies_ready_for(const WindFrame& frame) const;
+  bool turn_rows(const WindFrame& frame);
+  template <typename Lane>
+  void turn_rows_of(AlignedVector<Lane>& plane, const PlaneLayout& wanted, bool mirrored);
   template <typename Visit>
   void visit_cells(const Visit& visit);
   template <typename Lane>

@@ -35,6 +35,53 @@ bool ParallelExecutor::lies_ready_for(const WindFrame& frame) const {
   return frame_.same_axes(frame) && layout_.lean == plane_layout(frame, open_).lean;
 }
 
+/// Lays the planes as this frame wants them where it has the same rows: then each is turned round the torus or
+/// mirrored, which costs a swinging wind little. False, and nothing done, where rows become columns or run the other
+/// way.
+bool ParallelExecutor::turn_rows(const WindFrame& frame) {
+  const bool mirrored = frame.step_u != frame_.step_u;
+  const bool same_rows = frame.step_v == frame_.step_v && frame.width == frame_.width && frame.length == frame_.length;
+  if (!same_rows) return false;
+  const PlaneLayout wanted = plane_layout(frame, open_);
+  const auto turn = [&](auto& planes) {
+    turn_rows_of(planes.before, wanted, mirrored);
+    if (relief_) turn_rows_of(planes.bedrock, wanted, mirrored);
+  };
+  if (narrow_) {
+    turn(narrow_planes_);
+  } else {
+    turn(wide_planes_);
+  }
+  layout_ = wanted;
+  frame_ = frame;
+  cover_source_ = {};
+  return true;
+}
+
+template <typename Lane>
+void ParallelExecutor::turn_rows_of(AlignedVector<Lane>& plane, const PlaneLayout& wanted, bool mirrored) {
+  team_.run([&](int member) {
+    std::vector<Lane> places(static_cast<std::size_t>(layout_.width));
+    std::vector<Lane> columns(places.size());
+    const auto [first, end] = share(layout_.length, member, team_.size());
+    for (int row = first; row < end; ++row) {
+      const auto each_block = [&](const auto& copy) {
+        for (int block = 0; block < layout_.blocks; ++block) {
+          copy(plane.data() + layout_.at(block, 0, row), places.data() + block * layout_.block_columns,
+               layout_.columns_of(block));
+        }
+      };
+      each_block([](const Lane* in_plane, Lane* place, int count) { std::copy_n(in_plane, count, place); });
+      std::rotate_copy(places.begin(), places.begin() + layout_.wrapped(-layout_.skew(row)), places.end(),
+                       columns.begin());
+      if (mirrored) std::reverse(columns.begin(), columns.end());
+      std::rotate_copy(columns.begin(), columns.begin() + wanted.wrapped(wanted.skew(row)), columns.end(),
+                       places.begin());
+      each_block([](Lane* in_plane, const Lane* place, int count) { std::copy_n(place, count, in_plane); });
+    }
+  });
+}
+
 /// Calls visit(cell of the frame's plane, cell of the terrain) for all cells, in blocks that suit both orders of
 /// memory.
 template <typename Visit>

@@ -14,7 +14,7 @@ namespace erg {
 namespace {
 
 /// What the random words of a step are for; each has a key space of its own.
-enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations, hop_lengths };
+enum SweepWord : std::uint64_t { decisions = 16, polls, lines, slide_order, permutations };
 
 void draw_lines(const WindFrame& frame, StepKey key, std::uint64_t line_age, SubSweep& drawn) {
   if (frame.tangent <= 0) return;
@@ -50,7 +50,11 @@ void StepAccount::book(const SubSweep& done, std::int64_t lifted) {
   complete = done.poll_share_16 < whole_share_16;
 }
 
-double hop_rounding(StepKey key) { return random_below(key, 0, 0, hop_lengths, 1u << 16) * 0x1p-16; }
+double hop_rounding(StepKey key) {
+  // Multiples of the golden ratio fill [0, 1) evenly, however few steps there are.
+  const std::uint64_t word = mix64(key.seed) + key.step * 0x9e3779b97f4a7c15u;
+  return static_cast<double>(word >> 48) * 0x1p-16;
+}
 
 void PolledRows::permute(StepKey key, std::uint64_t round, std::uint64_t draw, int sweeps, int first, int end) {
   std::array<std::uint8_t, 64> order{};

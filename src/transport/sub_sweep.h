@@ -87,7 +87,7 @@ struct StepAccount {
 SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, const StepAccount& account,
                    int sweeps, const PolledRows& rows);
 
-/// HopCurve::rounding of a step.
+/// HopCurve::rounding of a step; over a few steps in a row its values lie evenly in [0, 1).
 double hop_rounding(StepKey key);
 
 /// A standing step that 16 bits can add to any height; steeper slopes than this need no test.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/typed_number.h"
 #include "ui/widgets.h"
 
 namespace erg {
@@ -66,6 +67,7 @@ void draw_now(const PlotArea& area, const std::optional<double>& cursor) {
 bool typed_share(const char* name, const char* meaning, double& share) {
   ImGui::SetNextItemWidth(ImGui::CalcTextSize("0.000").x + 2 * ImGui::GetStyle().FramePadding.x);
   double value = share;
+  take_typed_number(name);
   const bool edited = ImGui::InputDouble(name, &value, 0, 0, "%.3g");
   mark(name + 2);
   tooltip(meaning);

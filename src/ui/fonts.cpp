@@ -6,13 +6,16 @@
 #include <vector>
 
 namespace erg {
-namespace {
 
+/// Gives back what fontconfig made.
 struct FontconfigFree {
   void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
   void operator()(FcCharSet* letters) const { FcCharSetDestroy(letters); }
   void operator()(FcConfig* config) const { FcConfigDestroy(config); }
 };
+
+namespace {
+
 using Pattern = std::unique_ptr<FcPattern, FontconfigFree>;
 using Letters = std::unique_ptr<FcCharSet, FontconfigFree>;
 
@@ -60,7 +63,7 @@ std::optional<FontFile> file_of(const FcPattern& font) {
 
 struct FontFinder::Hidden {
   std::unique_ptr<FcConfig, FontconfigFree> config;
-  std::vector<Pattern> found;
+  std::vector<std::unique_ptr<FcPattern, FontconfigFree>> found;
 
   /// The best sans-serif font, which has the letter where that is not 0.
   std::optional<FontFile> best(char32_t letter) {

@@ -56,14 +56,6 @@ bool types_a_number() {
          (context.InputTextState.Flags & number) != 0;
 }
 
-/// ImGui would throw a decimal comma away without a word, and 0,25 would be 25.
-void take_numbers_of_every_country() {
-  if (!types_a_number()) return;
-  for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters) {
-    letter = static_cast<ImWchar>(as_typed_in_number(letter));
-  }
-}
-
 const char* (*clipboard_text)(void*) = nullptr;  // the function that was there before ours
 
 const char* pasted_text(void* user_data) {
@@ -190,7 +182,6 @@ void Gui::frame(ImVec2 size, float seconds, const std::function<void()>& draw) {
   widgets_.begin_frame();
   ImGui::NewFrame();
   for (const ImWchar letter : io.InputQueueCharacters) need(utf8_of(letter));
-  take_numbers_of_every_country();
   draw();
   ImGui::Render();
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/typed_number.h"
 #include "ui/widgets.h"
 
 namespace erg {
@@ -148,6 +149,7 @@ void RunBar::draw_steps(Studio& studio) {
   }
   ImGui::SameLine();
   ImGui::SetNextItemWidth(Gui::current().px(72));
+  take_typed_number("##steps");
   ImGui::InputScalar("##steps", ImGuiDataType_S64, &steps_to_run_);
   constexpr std::int64_t most = 1'000'000'000;
   steps_to_run_ = std::clamp<std::int64_t>(steps_to_run_, 1, most);

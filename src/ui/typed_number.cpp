@@ -1,5 +1,7 @@
 #include "ui/typed_number.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -39,6 +41,15 @@ char32_t as_typed_in_number(char32_t letter) {
       return U'-';
     default:
       return letter;
+  }
+}
+
+void take_typed_number(const char* id) {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const ImGuiID own = ImGui::GetID(id);
+  if (context.ActiveId != own || context.InputTextState.ID != own) return;
+  for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters) {
+    letter = static_cast<ImWchar>(as_typed_in_number(letter));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "ui/curve_editor.h"
+#include "ui/typed_number.h"
 
 namespace erg {
 namespace {
@@ -235,6 +236,7 @@ float share_of_width(int count) {
 RowEvent real_row(const Row& row, double& value, double minimum, double maximum) {
   begin_row(row);
   const TypingOnDoubleClick typing;
+  take_typed_number("##value");
   double entered = value;
   bool changed = false;
   if (minimum < maximum) {
@@ -251,6 +253,7 @@ RowEvent real_row(const Row& row, double& value, double minimum, double maximum)
 RowEvent integer_row(const Row& row, std::int64_t& value, std::int64_t minimum, std::int64_t maximum) {
   begin_row(row);
   const TypingOnDoubleClick typing;
+  take_typed_number("##value");
   std::int64_t entered = value;
   if (minimum < maximum && maximum - minimum <= sliding && minimum > -sliding) {
     ImGui::SliderScalar("##value", ImGuiDataType_S64, &entered, &minimum, &maximum, with_unit("%lld", row.unit).c_str(),

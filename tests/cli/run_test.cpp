@@ -52,12 +52,35 @@ TEST(Run, StatisticsHoldEveryKeyWithItsMeaning) {
   EXPECT_LE(stats.at("wavelength"), 48);
   EXPECT_GT(stats.at("crest_spacing"), 2);
   EXPECT_LT(stats.at("crest_spacing"), 96);
-  EXPECT_GE(stats.at("crest_bearing"), 0);
-  EXPECT_LT(stats.at("crest_bearing"), 180);
+  EXPECT_GE(stats.at("alignment"), 0);
+  EXPECT_LE(stats.at("alignment"), 1);
+  EXPECT_EQ(stats.at("crest_bearing").is_null(), stats.at("alignment") < 0.4) << "no bearing without alignment";
+  // Five cells a hop over .6, slabs of a third of a metre, and 50 m2 a year.
+  EXPECT_NEAR(stats.at("days_a_step").get<double>(), 5 / 0.6 / 3 / 50 * 365.25, 1e-6);
+  EXPECT_NEAR(stats.at("days").get<double>(), 40 * stats.at("days_a_step").get<double>(), 1e-6);
   EXPECT_TRUE(std::isfinite(stats.at("migration_y").get<double>()));
   EXPECT_EQ(stats.at("state_hash").get<std::string>().size(), 16u);
   EXPECT_NEAR(stats.at("polls_per_second").get<double>() * stats.at("seconds").get<double>(),
               stats.at("polls").get<double>(), 1.0);
+}
+
+TEST(Run, StatisticsSayWhatTheyAreMeasuredInAndOfWhatRun) {
+  const ScratchFolder folder;
+  const std::string config = folder.write("small.json", small_config(10));
+  ASSERT_EQ(run_erg(folder, {"run", config, "--set", "wind.bearing=300", "--stats", "a.json", "--quiet"}).exit_code, 0);
+  const nlohmann::json stats = read_json(folder.file("a.json"));
+  const nlohmann::json& units = stats.at("units");
+  for (const auto& [key, value] : stats.items()) {
+    if (!value.is_number() || key == "seed") continue;
+    EXPECT_TRUE(units.contains(key)) << key << " has no unit";
+  }
+  EXPECT_EQ(units.at("flux"), "slabs/step");
+  EXPECT_EQ(units.at("crest_bearing"), "deg") << "whether there is one or not";
+  EXPECT_EQ(stats.at("config").at("wind").at("bearing"), 300);
+  // The config, taken out, is the run.
+  folder.write("again.json", stats.at("config").dump());
+  ASSERT_EQ(run_erg(folder, {"run", "again.json", "--stats", "b.json", "--quiet"}).exit_code, 0);
+  EXPECT_EQ(read_json(folder.file("b.json")).at("state_hash"), stats.at("state_hash"));
 }
 
 TEST(Run, HashDoesNotDependOnThreads) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "analysis/dune_outlines.h"
 #include "configured.h"
@@ -111,7 +112,6 @@ TEST(Plants, HoldSteeperSlopes) {
 }
 
 /// Patches of at least 30 cells whose sand is `least` slabs thick or more, at the end of runs with seeds 1 to `seeds`.
-/// Of dunes with sand of at least `least` slabs.
 DuneMeans dunes_grown(const std::vector<std::string>& settings, int steps, int least, int seeds) {
   std::vector<Dune> dunes;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -120,7 +120,7 @@ DuneMeans dunes_grown(const std::vector<std::string>& settings, int steps, int l
     Simulation simulation(config);
     for (int step = 0; step < steps; ++step) simulation.step();
     const std::vector<Dune> found =
-        find_dunes(simulation.terrain(), simulation.last_wind().bearing, {.base = 0, .least = least}).dunes;
+        find_dunes(simulation.terrain(), simulation.last_wind().mean_bearing(), {.base = 0, .least = least}).dunes;
     dunes.insert(dunes.end(), found.begin(), found.end());
   }
   return mean_of_dunes(dunes);
@@ -150,35 +150,78 @@ TEST(Plants, TurnNebkhasIntoParabolicDunesWithArmsUpwind) {
   EXPECT_GT(dunes_grown(settings, 1500, 12, 6).arms, -0.25);
 }
 
-/// The dunes of a plain of grass and shrub with three bare patches, or of the same plain without plants.
-std::vector<Dune> blown_out(bool planted) {
-  std::vector<std::string> settings{"grid.nx=100",
-                                    "grid.ny=100",
+/// A plain of grass and shrub with three bare patches after `steps`, or the same plain without plants.
+Simulation blown_out(int side, const std::string& grass, const std::string& shrub, int steps, bool planted = true) {
+  const std::string cells = std::to_string(side);
+  std::vector<std::string> settings{"grid.nx=" + cells,
+                                    "grid.ny=" + cells,
                                     "scene.sand=20",
                                     "wind.strength=1",
                                     "parameters.polling=repeated",
                                     "parameters.lift_in_shadow=true",
                                     "parameters.vegetation=blowouts",
-                                    "parameters.grass_start=0.2",
+                                    "parameters.grass_start=" + grass,
                                     "parameters.mesquite=false",
                                     "parameters.shrub=true",
-                                    "parameters.shrub_start=0.9",
+                                    "parameters.shrub_start=" + shrub,
                                     "run.executor=cpu"};
   if (!planted) settings.insert(settings.end(), {"parameters.grass=false", "parameters.shrub=false"});
   Simulation simulation(plants(settings));
-  for (int step = 0; step < 1600; ++step) simulation.step();
-  return find_dunes(simulation.terrain(), 270, {.base = 0, .least = 25}).dunes;
+  for (int step = 0; step < steps; ++step) simulation.step();
+  return simulation;
 }
 
 TEST(Plants, BlowOutIntoThreeDunesWithArmsUpwind) {
-  const std::vector<Dune> dunes = blown_out(true);
+  const auto blowouts = [](bool planted) {
+    return find_dunes(blown_out(100, "0.2", "0.9", 1600, planted).terrain(), 270, {.base = 0, .least = 25}).dunes;
+  };
+  const std::vector<Dune> dunes = blowouts(true);
   EXPECT_EQ(dunes.size(), 3u) << "apart from each other";
   for (const Dune& dune : dunes) EXPECT_LT(dune.arms, -0.2);
   // Bare sand has dunes too, but more, and their sides lie either way.
-  const std::vector<Dune> bare = blown_out(false);
+  const std::vector<Dune> bare = blowouts(false);
   EXPECT_GT(bare.size(), 4u);
   const auto upwind = std::ranges::count_if(bare, [](const Dune& dune) { return dune.arms < -0.2; });
   EXPECT_LT(2 * upwind, static_cast<std::ptrdiff_t>(bare.size()));
+}
+
+TEST(Plants, BlowoutsStayApartWhereTheyHaveRoom) {
+  const auto dunes_at_last = [](int side) {
+    return find_dunes(blown_out(side, "0.2", "0.9", 4000).terrain(), 270, {.base = 0, .least = 25}).dunes.size();
+  };
+  EXPECT_EQ(dunes_at_last(200), 3u);
+  EXPECT_NE(dunes_at_last(100), 3u) << "around a small torus they run into each other";
+}
+
+/// Share of the cells where the plants' effectiveness is under .3, from which on they hold slopes.
+double bared_share(const std::string& grass, const std::string& shrub) {
+  Simulation simulation = blown_out(100, grass, shrub, 800);
+  const std::span<const float> cover = field(simulation.terrain(), "vegetation").cells();
+  return static_cast<double>(std::count_if(cover.begin(), cover.end(), [](float rho) { return rho < 0.3f; })) /
+         static_cast<double>(cover.size());
+}
+
+TEST(Plants, MoreGrassAndLessShrubKillThePlain) {
+  EXPECT_GT(bared_share("0.4", "0.2"), 0.3);
+  EXPECT_LT(bared_share("0.2", "0.9"), 0.1) << "print's own plain outlives its blowouts";
+}
+
+/// Length along the mean wind over width of dunes under two winds 60 degrees apart, with and without plants.
+double length_over_width(bool with_plants) {
+  Config config =
+      plants({"grid.nx=128", "grid.ny=128", "scene.sand=4", "parameters.mesquite_low=0", "run.executor=cpu"});
+  if (!with_plants) {
+    for (const char* species : {"grass=false", "mesquite=false"}) set_from_text(config, species);
+  }
+  config.wind.seasons = {Season{240, 5, 5, 10, {}}, Season{300, 5, 5, 10, {}}};
+  Simulation simulation(config);
+  for (int step = 0; step < 400; ++step) simulation.step();
+  return mean_of_dunes(find_dunes(simulation.terrain(), 270, {.base = 0, .least = 12}).dunes).length_over_width;
+}
+
+TEST(Plants, DrawDunesOutAlongTheMeanOfTwoWinds) {
+  EXPECT_GT(length_over_width(true), 2);
+  EXPECT_LT(length_over_width(false), 1.3);
 }
 
 }  // namespace

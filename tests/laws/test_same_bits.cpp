@@ -31,6 +31,14 @@ std::vector<Case> cases() {
                    {.model = key, .extent = {60, 270}, .settings = {{"neighbours", std::string("8")}}},
                    true,
                    5});
+    all.push_back({key + " swinging about an axis and about a diagonal",
+                   {.model = key,
+                    .extent = {270, 310},
+                    .wind = {key == "werner" ? 225.0 : 270.0, 5},
+                    .settings = {{"neighbours", std::string("8")}},
+                    .spread = 20},
+                   true,
+                   6});
     all.push_back({key + " rocks", {.model = key, .extent = {131, 77}, .wind = {250, 6}}, true});
     all.push_back(
         {key + " nonrepeated",
@@ -91,6 +99,27 @@ TEST(SameBits, InARunCutInTwo) {
       scene.world.run(terrain, options, half);
       scene.world.run(terrain, options, scene.steps - half, half);  // on an executor that knows nothing of the first
       EXPECT_EQ(state_hash(terrain), hash_of(scene, options)) << scene.name << ", " << executor;
+    }
+  }
+}
+
+/// An executor that keeps its planes under a swinging wind beside one that lays them from the terrain each step.
+TEST(SameBits, WhereAWindSwings) {
+  for (const Extent extent : {Extent{60, 48}, Extent{300, 280}}) {
+    for (const Boundary boundary : {Boundary::torus, Boundary::open}) {
+      for (const double bearing : {270.0, 0.0, 130.0}) {
+        const World world{
+            .model = "nield_baas", .extent = extent, .boundary = boundary, .wind = {bearing, 5}, .spread = 15};
+        for (const int threads : {1, 3}) {
+          const ExecutorOptions options{.name = "cpu", .threads = threads, .lines_a_thread = 1};
+          Terrain kept = world.strewn();
+          raise_rocks(kept, 15);
+          Terrain anew = kept;
+          world.run(kept, options, 6);
+          for (int step = 0; step < 6; ++step) world.run(anew, options, 1, step);
+          EXPECT_EQ(state_hash(kept), state_hash(anew)) << extent.nx << " cells, " << bearing << ", " << threads;
+        }
+      }
     }
   }
 }

@@ -83,6 +83,25 @@ TEST(TurnedScenes, GiveTurnedRunsWhereThePlanesAreSkewed) {
   }
 }
 
+/// Swings turn with the wind. (They are no mirror images of each other, so a mirrored wind swings in its own way.)
+TEST(TurnedScenes, GiveTurnedRunsWhereTheWindSwings) {
+  for (const Machine& machine : machines()) {
+    for (const Motion& motion : motions()) {
+      if (motion.name.starts_with("mirrored")) continue;
+      for (const double bearing : {270.0, 310.0}) {
+        World world{.model = "momiji", .extent = {48, 48}, .wind = {bearing, 5}, .spread = 12.3};
+        Terrain terrain = world.strewn();
+        Terrain turned = moved(terrain, motion.map);
+        world.run(terrain, machine.options, 8);
+        world.wind.bearing = motion.bearing(bearing);
+        world.run(turned, machine.options, 8);
+        EXPECT_EQ(state_hash(turned), state_hash(moved(terrain, motion.map)))
+            << machine.name << ", " << motion.name << ", from " << bearing;
+      }
+    }
+  }
+}
+
 /// A grid of one column, mirrored at the diagonal, is one of one row.
 TEST(TurnedScenes, GiveTurnedRunsInOneColumn) {
   for (const ModelType& model : catalogue()) {

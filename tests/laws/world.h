@@ -35,6 +35,7 @@ struct World {
   std::uint64_t seed = 7;
   std::vector<std::pair<std::string, ParameterValue>> settings = {};
   std::int32_t sand = 3;
+  double spread = 0;  ///< of the wind's bearing, degrees; it swings every step
 
   /// Sand strewn unevenly (0 to 2 * sand, keyed by the cell), on level bedrock.
   Terrain strewn() const {
@@ -82,7 +83,9 @@ struct World {
     made->begin(terrain);
     StepReport total;
     for (int step = first_step; step < first_step + steps; ++step) {
-      total += made->step(terrain, model_wind(), {seed, static_cast<std::uint64_t>(step)}, executor);
+      WindNow now = model_wind();
+      now.bearing = fold_bearing(now.bearing + wind_swing(spread, 0, seed, step));
+      total += made->step(terrain, now, {seed, static_cast<std::uint64_t>(step)}, executor);
     }
     executor.settle(terrain);
     return total;

@@ -41,7 +41,7 @@ double largest_share(const RgbImage& image) {
 
 TEST(EveryConfig, IsLoadedRunAndDrawn) {
   const std::vector<Preset> presets = list_presets(std::filesystem::path(ERG_SOURCE_DIR) / "cfg");
-  ASSERT_GE(presets.size(), 45u) << "those of cfg/ and of cfg/thesis";
+  ASSERT_GE(presets.size(), 65u) << "those of cfg/, cfg/thesis and cfg/szabo2019";
   const std::unique_ptr<GlContext> context = make_offscreen_context(usual_context());
   Renderer renderer;
   const auto top_view = [&renderer](const Terrain& terrain) {

@@ -74,6 +74,7 @@ TEST_F(ShellHand, AListInADialogClosesBeforeTheDialog) {
 TEST_F(ShellHand, CreateShowsTheNewLandWhole) {
   create();
   hand.frames(3);
+  hand.move(hand.place("land").middle());
   hand.scroll(8);
   hand.frames(2);
   const double near = shell->scenery().camera.camera().distance;

@@ -201,7 +201,6 @@ TEST(DuneOutlines, NoneStandOnFlatOrBareLand) {
   EXPECT_TRUE(found.dunes.empty()) << "flat";
   EXPECT_EQ(found.endless, 0);
   EXPECT_EQ(found.rule.base, 700);
-  EXPECT_TRUE(find_dunes(Terrain({0, 0}, 1, slab), west).dunes.empty());
 }
 
 TEST(DuneOutlines, OnALayerCountFromItsTop) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/atomic_file.h"
 #include "io/table.h"
 #include "message.h"
 #include "temporary_folder.h"
@@ -95,7 +96,12 @@ TEST(TableOfAnotherRun, IsNotGoneOnWith) {
 TEST(TableOfAnotherRun, IsKnownByAConfigThatLiesBesideIt) {
   const TemporaryFolder folder;
   Config config;
-  for (int k = 0; k < 500; ++k) config.wind.seasons.push_back({.bearing = k % 360.0, .first = 4, .last = 4});
+  for (int k = 0; k < 500; ++k) {
+    Season season;
+    season.bearing = k % 360;
+    season.first = season.last = 4;
+    config.wind.seasons.push_back(season);
+  }
   { TableFile(folder / "t.csv", {"step"}, run_of(config)).add(std::vector<double>{0.0}); }
   EXPECT_EQ(resumed(folder / "t.csv", config), "no error");
   Config other = config;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <set>
+#include <tuple>
 
 #include "io/config_file.h"
 
@@ -68,6 +69,11 @@ TEST(Presets, PublishedRunsHaveThePrintedSettings) {
       {"momiji_star", "momiji", 256, 10, 5, 33.7, 320, all_sides, 40},
       {"momiji_barchans_1024", "momiji", 1024, 3, 5, 33.7, 1000, {270}, 1},
       {"bishop_barchans", "bishop", 256, 3, 3, 33.7, 1500, {270}, 1},
+      {"bishop_repose_30", "bishop", 256, 3, 3, 30, 500, {270}, 1},
+      {"bishop_repose_33_7", "bishop", 256, 3, 3, 33.7, 500, {270}, 1},
+      {"bishop_barchans_700", "bishop", 256, 3, 3, 33.7, 700, {270}, 1},
+      {"momiji_slow_wind", "momiji", 256, 3, 2, 33.7, 1000, {270}, 1},
+      {"momiji_star_slow", "momiji", 256, 10, 1, 33.7, 1600, all_sides, 40},
   };
   for (const PublishedRun& run : runs) {
     SCOPED_TRACE(run.name);
@@ -96,6 +102,34 @@ TEST(Presets, PublishedRunsHaveThePrintedSettings) {
       EXPECT_EQ(config.wind.seasons[i], (Season{run.bearings[i], run.strength, run.strength, run.season, {}}));
     }
   }
+}
+
+TEST(Presets, SzaboHasThreeWindsAndFourGrounds) {
+  const auto szabo = [](const std::string& name) {
+    return read_config(fs::path(ERG_SOURCE_DIR) / "cfg/szabo2019" / (name + ".json"));
+  };
+  for (const auto& [name, kind, wind] : {std::tuple{"ripples_10", "flat", 10},
+                                         {"ripples_12", "flat", 12},
+                                         {"ripples_15", "flat", 15},
+                                         {"hump", "hump", 10},
+                                         {"dune", "dune", 10},
+                                         {"valley", "valley", 10}}) {
+    SCOPED_TRACE(name);
+    const Config config = szabo(name);
+    EXPECT_EQ(config.model, "grains");
+    EXPECT_EQ(config.grid.integer("nx"), 256);
+    EXPECT_EQ(config.grid.integer("ny"), 256);
+    EXPECT_EQ(config.scene.text("kind"), kind);
+    EXPECT_EQ(config.scene.real("sand"), 500);
+    EXPECT_EQ(config.wind, Regime::constant(270, wind));
+  }
+}
+
+TEST(Presets, SnowThatThawsFollowsThePrintedRamp) {
+  const Config config = thesis("snow_thaw");
+  EXPECT_EQ(config.model, "snow_packing");
+  EXPECT_EQ(config.wind.seasons.at(0).bearing, 270);
+  EXPECT_LT(config.wind.seasons[0].first, config.wind.seasons[0].last);
 }
 
 TEST(Presets, ForcedWernerRunHasItsOwnProbabilities) {

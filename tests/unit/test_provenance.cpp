@@ -22,7 +22,7 @@ Config of_seasons(int count) {
   Config config;
   config.wind.seasons.clear();
   for (int k = 0; k < count; ++k) {
-    config.wind.seasons.push_back({.bearing = k * 7 % 360 + 0.5, .first = 3 + k % 5, .last = 4, .steps = 3});
+    config.wind.seasons.push_back({k * 7 % 360 + 0.5, 3.0 + k % 5, 4, 3, {}});
   }
   return config;
 }
@@ -59,7 +59,7 @@ TEST(Provenance, ThousandsOfSeasonsStandOnceBesideAllFiles) {
   write_obj(folder / "o.obj", terrain, source);
   write_ply(folder / "p.ply", terrain, source);
   write_table(folder / "t.csv", {"step"}, {{1}}, source);
-  write_run_png(folder / "r.png", RgbImage{2, 2, std::vector<std::uint8_t>(12)}, source);
+  write_run_png(folder / "r.png", RgbImage(2, 2), source);
   int configs = 0;
   for (const auto& entry : fs::directory_iterator(folder.path())) {
     if (entry.path().extension() != ".json") {

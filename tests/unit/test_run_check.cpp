@@ -8,9 +8,10 @@
 #include <limits>
 
 #include "analysis/bedforms.h"
-#include "analysis/dune_patches.h"
+#include "analysis/dune_outlines.h"
 #include "analysis/fourier.h"
 #include "analysis/morphometry.h"
+#include "analysis/star_arms.h"
 #include "core/surface_range.h"
 #include "io/checkpoint.h"
 #include "io/heightmap.h"
@@ -177,6 +178,8 @@ TEST(LibraryUse, WeatherThatCannotBeIsRefused) {
       [](Config& config) { config.wind.seasons.front().first = nan; },
       [](Config& config) { config.wind.seasons.front().last = 1e300; },
       [](Config& config) { config.wind.seasons.front().bearing = nan; },
+      [](Config& config) { config.wind.seasons.front().spread = nan; },
+      [](Config& config) { config.wind.seasons.front().hold = 0; },
       [](Config& config) { config.wind.seasons.front().snowfall = -1; },
       [](Config& config) { config.wind.seasons.front().curve.first.x = nan; },
       [](Config& config) { config.temperature.first = nan; },
@@ -199,7 +202,9 @@ TEST(LibraryUse, NothingIsMeasuredOrWrittenOfATerrainWithoutCells) {
     EXPECT_THROW(surface_range(terrain), InputError);
     EXPECT_THROW(measure(terrain), InputError);
     EXPECT_THROW(measure_bedforms(terrain, 270), InputError);
-    EXPECT_THROW(find_dunes(terrain, 270, 1, 1), InputError);
+    EXPECT_THROW(find_dunes(terrain, 270), InputError);
+    EXPECT_THROW(find_stars(terrain, 3), InputError);
+    EXPECT_THROW(find_dunes(terrain, 270, DuneRule{}), InputError);
     EXPECT_THROW(coarse_surface(terrain, Layer::surface), InputError);
     EXPECT_THROW(write_heightmap(folder / "a.png", terrain, {}), InputError);
     EXPECT_THROW(write_obj(folder / "a.obj", terrain, {}), InputError);

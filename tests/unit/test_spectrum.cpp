@@ -54,30 +54,50 @@ TEST(Spectrum, FindsWavelengthAndCrestsOfASine) {
     EXPECT_NEAR(found.wavelength, 1 / std::hypot(kx, ky), 1e-6);
     // Crests are where kx x + ky y is constant: along (-ky, kx), as a bearing from north.
     const double crest = std::atan2(-ky, kx) * 180 / std::numbers::pi;
-    EXPECT_LT(axis_difference(found.crest_bearing, crest), 1e-6) << found.crest_bearing << " for " << crest;
-    EXPECT_GE(found.crest_bearing, 0);
-    EXPECT_LT(found.crest_bearing, 180);
+    ASSERT_TRUE(found.crest_bearing) << crest;
+    EXPECT_LT(axis_difference(*found.crest_bearing, crest), 1e-6) << *found.crest_bearing << " for " << crest;
+    EXPECT_GE(*found.crest_bearing, 0);
+    EXPECT_LT(*found.crest_bearing, 180);
     EXPECT_NEAR(found.alignment, 1, 1e-9);
   }
 }
 
 TEST(Spectrum, CrestsAcrossAWestWindRunNorth) {
-  EXPECT_NEAR(measure_spectrum(waves({64, 64}, 4, 0)).crest_bearing, 0, 1e-9);
-  EXPECT_NEAR(measure_spectrum(waves({64, 64}, 0, 4)).crest_bearing, 90, 1e-9);
+  EXPECT_NEAR(measure_spectrum(waves({64, 64}, 4, 0)).crest_bearing.value(), 0, 1e-9);
+  EXPECT_NEAR(measure_spectrum(waves({64, 64}, 0, 4)).crest_bearing.value(), 90, 1e-9);
   // Height constant along x = y, which is north-east: 45 degrees.
-  EXPECT_NEAR(measure_spectrum(waves({64, 64}, 4, -4)).crest_bearing, 45, 1e-9);
+  EXPECT_NEAR(measure_spectrum(waves({64, 64}, 4, -4)).crest_bearing.value(), 45, 1e-9);
 }
 
 TEST(Spectrum, WavesThatDoNotFitAnOpenGridAreFadedOut) {
   const SpectrumNumbers found = measure_spectrum(waves({200, 200}, 9.5, 0, false));
   EXPECT_NEAR(found.wavelength, 200 / 9.5, 0.05 * 200 / 9.5);
-  EXPECT_LT(axis_difference(found.crest_bearing, 0), 1);
+  EXPECT_LT(axis_difference(found.crest_bearing.value(), 0), 1);
 }
 
 TEST(Spectrum, AFlatSurfaceHasNone) {
   const SpectrumNumbers found = measure_spectrum({Grid<double>({31, 17}, 3.3), 1, 1, true});
   EXPECT_EQ(found.wavelength, 0);
   EXPECT_EQ(found.alignment, 0);
+  EXPECT_FALSE(found.crest_bearing);
+}
+
+TEST(Spectrum, CrestsThatRunBothWaysHaveNoBearing) {
+  // Two trains of waves across each other, the second with `share` of the first's power: (1 - share) / (1 + share).
+  const auto crossed = [](double share) {
+    CoarseSurface surface = waves({96, 96}, 6, 0);
+    const CoarseSurface other = waves({96, 96}, 0, 6);
+    for (std::size_t cell = 0; cell < surface.heights.size(); ++cell) {
+      surface.heights[cell] += std::sqrt(share) * other.heights[cell];
+    }
+    return measure_spectrum(surface);
+  };
+  for (const double share : {0.0, 0.25, 0.4, 0.5, 1.0}) {
+    const SpectrumNumbers found = crossed(share);
+    EXPECT_NEAR(found.alignment, (1 - share) / (1 + share), 1e-9);
+    EXPECT_EQ(found.crest_bearing.has_value(), found.alignment >= least_alignment) << share;
+  }
+  EXPECT_NEAR(crossed(0.4).crest_bearing.value(), 0, 1e-6);
 }
 
 TEST(Spectrum, LargeTerrainsAreAveragedInUnitsOfCells) {

@@ -50,6 +50,12 @@ TEST(Vti, HoldsEveryLayerWhereItsHeaderSays) {
   EXPECT_NE(file.find("Name=\"erg:model\" NumberOfTuples=\"1\" format=\"ascii\">\n        119 101 114 110 101 114 0"),
             std::string::npos);
   EXPECT_TRUE(file.ends_with("</VTKFile>\n"));
+  const std::string time = "Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">";
+  EXPECT_NE(file.find(time + "2</DataArray>"), std::string::npos) << "the step, where days are not known";
+  Provenance timed{"{}", 1, 2, "werner", "1.0", "cpu"};
+  timed.days = 40.5;
+  write_vti(folder / "b.vti", terrain, nullptr, timed);
+  EXPECT_NE(read_bytes(folder / "b.vti").find(time + "40.5</DataArray>"), std::string::npos);
 }
 
 TEST(Vti, LeavesOutTheShadowWithoutAMap) {

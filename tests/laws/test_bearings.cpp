@@ -1,0 +1,41 @@
+// A wind that swings as real winds do makes dunes whose sides are alike at an oblique bearing; without, they lean.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "analysis/dune_map.h"
+#include "sim/simulation.h"
+
+namespace erg::test {
+namespace {
+
+constexpr double bearing = 285;  // where the lean is worst
+constexpr int steps = 384;       // whole rounds of draws: six times sixteen draws of four steps
+
+/// A Momiji barchan of 12 m in the mean of three seeds.
+DuneMap mean_barchan(double spread) {
+  std::vector<DuneMap> maps;
+  for (const char* seed : {"1", "2", "3"}) {
+    Config config("momiji");
+    for (const std::string& setting :
+         {std::string("scene.kind=cone"), std::string("scene.sand=0"), std::string("scene.height=12"),
+          std::string("scene.radius=36"), std::string("run.executor=cpu"), std::string("run.threads=1"),
+          std::string("run.seed=") + seed}) {
+      set_from_text(config, setting);
+    }
+    config.wind.seasons.front().bearing = bearing;
+    config.wind.seasons.front().spread = spread;
+    Simulation simulation(config);
+    while (simulation.step_count() < steps) simulation.step();
+    maps.push_back(dune_map(simulation.terrain(), bearing, 90));
+  }
+  return mean_map(maps);
+}
+
+TEST(Bearings, ASpreadKeepsABarchanFromLeaning) {
+  EXPECT_LT(asymmetry(mean_barchan(natural_spread)), 0.07);
+  EXPECT_GT(asymmetry(mean_barchan(0)), 0.13) << "the control: a wind from one bearing for ever";
+}
+
+}  // namespace
+}  // namespace erg::test
