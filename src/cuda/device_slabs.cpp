@@ -166,7 +166,8 @@ double DeviceSlabs::mean_deviation(const DevicePlan& plan, double mean) {
 
 void DeviceSlabs::prepare_hops(DevicePlan& plan, const SlabLaw& law, double strength, StepKey key) {
   plan.hop_by_height = law.hop.depends_on_height();
-  plan.hop = {strength, law.hop.linear, law.hop.quadratic, frame_.cosine, hop_rounding(key)};
+  plan.hop = {strength,      law.hop.linear,    law.hop.quadratic,
+              frame_.cosine, hop_rounding(key), most_hop_rows(strength, frame_.cosine, frame_.length)};
   if (plan.hop_by_height) {
     const double mean = static_cast<double>(bedrock_total_ + mobile_total_) / static_cast<double>(cells()) - base_;
     const double deviation = law.hop.deviation_weight != 0 ? mean_deviation(plan, mean) : 0;

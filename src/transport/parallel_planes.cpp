@@ -217,7 +217,8 @@ void ParallelExecutor::prepare_walls(const SlabLaw& law) {
 /// Fills the table of hops in rows * 256, one entry for each height over the base (or one for all).
 template <typename Lane>
 void ParallelExecutor::prepare_hops(const SlabLaw& law, double strength, StepKey key) {
-  const HopCurve hop{strength, law.hop.linear, law.hop.quadratic, frame_.cosine, hop_rounding(key)};
+  const HopCurve hop{strength,      law.hop.linear,    law.hop.quadratic,
+                     frame_.cosine, hop_rounding(key), most_hop_rows(strength, frame_.cosine, frame_.length)};
   const auto rows_256 = [&](double above_reference) { return hop_rows_256(hop, above_reference); };
   if (!law.hop.depends_on_height()) {
     hop_table_.assign(1, rows_256(0));

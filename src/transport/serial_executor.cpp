@@ -347,7 +347,7 @@ int SerialExecutor::hop_rows(std::int32_t height, Draws& draws) const {
     const double reference = mean_ - law_.hop.deviation_weight * deviation_ / static_cast<double>(surface_.size());
     cells = law_.hop.cells(strength_, height - reference);
   }
-  const double rows = cells * frame_.cosine;
+  const double rows = std::min(cells * frame_.cosine, most_hop_rows(strength_, frame_.cosine, frame_.length));
   const double whole = std::floor(rows);
   return static_cast<int>(rows == whole ? whole : std::floor(rows + draws.unit()));
 }

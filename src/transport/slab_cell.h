@@ -84,8 +84,16 @@ struct HopCurve {
   double linear = 0;
   double quadratic = 0;
   double cosine = 1;
-  double rounding = 0;  ///< in [0, 1): the step's own (hop_rounding), so that lengths are exact on the mean of steps
+  double rounding = 0;     ///< in [0, 1): the step's own (hop_rounding), so that lengths are exact on the mean of steps
+  double most_rows = 1e9;  ///< most_hop_rows
 };
+
+/// Rows that a hop grows to at most, however high its ground: `longest_flight` lengths of the grid, or the wind's own
+/// hop where that is longer.
+ERG_CELL_RULE double most_hop_rows(double strength, double cosine, int length) {
+  const double around = static_cast<double>(longest_flight) * length;
+  return around > strength * cosine ? around : strength * cosine;
+}
 
 /// Cells of a hop from ground this high (slabs) over the reference, before the shortest hop bounds it.
 ERG_CELL_RULE double hop_cells(double strength, double linear, double quadratic, double above_reference) {
@@ -98,7 +106,8 @@ ERG_CELL_RULE double hop_cells(double strength, double linear, double quadratic,
 /// The same in rows * 256: 1 at least.
 ERG_CELL_RULE std::uint32_t hop_rows_256(const HopCurve& curve, double above_reference) {
   const double rows = hop_cells(curve.strength, curve.linear, curve.quadratic, above_reference) * curve.cosine;
-  const auto rows_256 = static_cast<std::int64_t>(rows * (1 << fixed_point_bits) + curve.rounding);
+  const double kept = rows < curve.most_rows ? rows : curve.most_rows;
+  const auto rows_256 = static_cast<std::int64_t>(kept * (1 << fixed_point_bits) + curve.rounding);
   return static_cast<std::uint32_t>(rows_256 > 1 ? rows_256 : 1);
 }
 
