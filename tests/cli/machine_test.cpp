@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 
 #include "../unit/limits.h"
@@ -61,19 +62,21 @@ TEST(StandardOutput, WhatIsNotPrintedDoesNotFail) {
   const auto close_all = [] {
     for (const int stream : {0, 1, 2}) ::close(stream);
   };
-  const Ended ended = run_erg(folder, {"run", "a.json", "--quiet", "--out", "o"}, close_all);
+  const Ended ended =
+      run_erg(folder, {"run", "a.json", "--quiet", "--out", "o", "--format", "checkpoint,csv"}, close_all);
   EXPECT_EQ(ended.exit_code, 0);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("o")), {}), 5);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("o")), {}), 2);
   // No file has taken the place of a stream: what would be printed is in none of them.
-  EXPECT_EQ(run_erg(folder, {"run", "a.json", "--out", "p"}, close_all).exit_code, 1);
+  EXPECT_EQ(run_erg(folder, {"run", "a.json", "--out", "p", "--format", "checkpoint,csv"}, close_all).exit_code, 1);
   EXPECT_EQ(read_bytes(folder.file("p/a-000002.checkpoint")), read_bytes(folder.file("o/a-000002.checkpoint")));
 }
 
-/// A library that stands before the system's and lets fsync fail with this error.
-std::string failing_fsync(const ScratchFolder& folder, const std::string& error) {
+/// A library that stands before the system's and lets fsync fail with the error of the variable FSYNC_ERROR.
+std::string failing_fsync(const ScratchFolder& folder) {
   folder.write("fsync.c",
-               "#include <errno.h>\nint fsync(int file) { (void)file; errno = " + error + "; return -1; }\n");
-  const std::string library = folder.file(error + ".so");
+               "#include <errno.h>\n#include <stdlib.h>\n"
+               "int fsync(int file) { (void)file; errno = atoi(getenv(\"FSYNC_ERROR\")); return -1; }\n");
+  const std::string library = folder.file("fsync.so");
   const std::string command = "gcc -shared -fPIC -o '" + library + "' '" + folder.file("fsync.c") + "'";
   return std::system(command.c_str()) == 0 ? library : std::string();
 }
@@ -82,21 +85,26 @@ TEST(FileSystem, ThatCannotFlushIsWrittenToAndTold) {
   if (std::getenv("ERG_SANITIZED") != nullptr) GTEST_SKIP() << "the sanitizer wants to be loaded first";
   const ScratchFolder folder;
   folder.write("a.json", small_config(2));
-  const Words run{"run", "a.json", "--quiet", "--out", "o"};
-  for (const char* error : {"EINVAL", "ENOTSUP", "ENOSYS", "EROFS"}) {
+  const Words run{"run", "a.json", "--quiet", "--out", "o", "--format", "checkpoint,csv"};
+  const std::string library = failing_fsync(folder);
+  ASSERT_FALSE(library.empty());
+  const auto fails_with = [&](int error) {
+    return run_erg(folder, run, [&] {
+      ::setenv("FSYNC_ERROR", std::to_string(error).c_str(), 1);
+      ::setenv("LD_PRELOAD", library.c_str(), 1);
+    });
+  };
+  for (const int error : {EINVAL, ENOTSUP, ENOSYS, EROFS}) {
     SCOPED_TRACE(error);
-    const std::string library = failing_fsync(folder, error);
-    ASSERT_FALSE(library.empty());
-    const Ended ended = run_erg(folder, run, [&] { ::setenv("LD_PRELOAD", library.c_str(), 1); });
+    const Ended ended = fails_with(error);
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
     const std::size_t told = ended.errors.find("note: the file system does not let files be flushed");
     ASSERT_NE(told, std::string::npos) << ended.errors;
     EXPECT_EQ(ended.errors.find("note: ", told + 1), std::string::npos) << "once";
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("o")), {}), 5);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("o")), {}), 2);
   }
   // What says that the content is lost is an error.
-  const std::string library = failing_fsync(folder, "EIO");
-  const Ended lost = run_erg(folder, run, [&] { ::setenv("LD_PRELOAD", library.c_str(), 1); });
+  const Ended lost = fails_with(EIO);
   EXPECT_EQ(lost.exit_code, 1);
   EXPECT_NE(lost.errors.find("cannot write this file (Input/output error)"), std::string::npos) << lost.errors;
   EXPECT_EQ(run_erg(folder, run).errors, "") << "nothing to tell";

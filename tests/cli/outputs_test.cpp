@@ -91,7 +91,7 @@ TEST(Outputs, AFolderInAFilesPlaceAndANameTooLongAreFoundBeforeTheRun) {
 TEST(Outputs, NumbersMayLieInTheFolderThatTheRunMakes) {
   const ScratchFolder folder;
   folder.write("small.json", small_config(1));
-  const Words run{"run", "small.json", "--quiet"};
+  const Words run{"run", "small.json", "--quiet", "--format", "checkpoint"};
   EXPECT_EQ(run_erg(folder, with(run, {"--out", "o", "--stats", "o/numbers.json"})).exit_code, 0);
   EXPECT_TRUE(fs::exists(folder.file("o/numbers.json")));
   EXPECT_EQ(run_erg(folder, with(run, {"--out", "./p/q/", "--stats", "p/numbers.json"})).exit_code, 0);
@@ -157,7 +157,7 @@ Words way_on(const ScratchFolder& folder, const std::string& errors) {
 TEST(FailsOnTheWay, SnowTooHighLeavesWhatWasReachedAndTheWayOn) {
   const ScratchFolder folder;
   folder.write("deep.json", deep_snow());
-  const Ended ended = run_erg(folder, {"run", "deep.json", "--out", "my $x", "--format", "png", "--quiet"});
+  const Ended ended = run_erg(folder, {"run", "deep.json", "--out", "my $x", "--format", "vti", "--quiet"});
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_TRUE(ended.errors.starts_with("terrain: it has grown to")) << ended.errors;
   const Words words = way_on(folder, ended.errors);
@@ -174,20 +174,20 @@ TEST(FailsOnTheWay, SnowTooHighLeavesWhatWasReachedAndTheWayOn) {
       << "it is as high as that already";
 }
 
-TEST(FailsOnTheWay, APictureThatDoesNotFitDoesNotTakeTheRunWithIt) {
+TEST(FailsOnTheWay, AFileThatDoesNotFitDoesNotTakeTheRunWithIt) {
   const ScratchFolder folder;
-  folder.write("it's.json", small_config(1000));
+  folder.write("it's.json", small_config(100));
   const Ended ended =
-      run_erg(folder, {"run", "it's.json", "--every", "400", "--format", "png", "--out", "a b", "--quiet"},
+      run_erg(folder, {"run", "it's.json", "--every", "40", "--format", "obj", "--out", "a b", "--quiet"},
               [] { limit_files(60000); });
   EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_TRUE(ended.errors.starts_with("a b/it's-000400.png: cannot write this file (File too large)")) << ended.errors;
+  EXPECT_TRUE(ended.errors.starts_with("a b/it's-000040.obj: cannot write this file (File too large)")) << ended.errors;
   const Words words = way_on(folder, ended.errors);
   ASSERT_GE(words.size(), 3u) << ended.errors;
-  EXPECT_EQ(words[2], "a b/it's-000400.checkpoint");
+  EXPECT_EQ(words[2], "a b/it's-000040.checkpoint");
   const Ended resumed = run_erg(folder, with(words, {"--quiet", "--hash"}));
   ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
-  EXPECT_TRUE(fs::exists(folder.path() / "a b" / "it's-000800.png")) << "the outputs asked for go on too";
+  EXPECT_TRUE(fs::exists(folder.path() / "a b" / "it's-000080.obj")) << "the outputs asked for go on too";
   EXPECT_EQ(resumed.output, run_erg(folder, {"run", "it's.json", "--quiet", "--hash"}).output);
 }
 
@@ -195,7 +195,7 @@ TEST(FailsOnTheWay, WhereNothingCanBeSavedThatIsSaid) {
   const ScratchFolder folder;
   folder.write("small.json", small_config(10));
   const Ended ended =
-      run_erg(folder, {"run", "small.json", "--every", "5", "--format", "png", "--quiet"}, [] { limit_files(2000); });
+      run_erg(folder, {"run", "small.json", "--every", "5", "--format", "vti", "--quiet"}, [] { limit_files(2000); });
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_NE(ended.errors.find("after step 5 of 10. Nothing could be saved."), std::string::npos) << ended.errors;
 }
