@@ -19,7 +19,7 @@ for spread in 0 10; do
     draw "$picture" barchans --size 768x768 --steps 256 --set nx=384 --set ny=384 --set scene.kind=cone --set sand=0 \
       --set scene.height=12 --set scene.radius=36 --set "wind.bearing=$bearing" --set "wind.spread=$spread"
     # The dune has gone some 130 cells; a cell is two points.
-    convert "$picture" -rotate $((270 - bearing)) -gravity center -crop 220x200+260+0 +repage "$picture"
+    convert "$picture" -rotate $((270 - bearing)) +repage -gravity center -crop 220x200+260+0 +repage "$picture"
     barchans+=(-label "$bearing, spread $spread" "$picture")
   done
 done
