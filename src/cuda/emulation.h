@@ -7,6 +7,7 @@
 
 #include <atomic>
 
+// Names that are CUDA's. NOLINTBEGIN(readability-identifier-naming,bugprone-reserved-identifier)
 #define __global__ inline
 #define __device__
 
@@ -40,3 +41,4 @@ T atomicMax(T* place, T value) {
 }
 
 }  // namespace erg
+// NOLINTEND(readability-identifier-naming,bugprone-reserved-identifier)

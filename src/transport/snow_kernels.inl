@@ -7,15 +7,13 @@
 #include <immintrin.h>
 #endif
 
+#include "transport/each_lane.h"
 #include "transport/fixed_point.h"
 #include "transport/snow_sweep.h"
 
 namespace erg {
 namespace ERG_KERNELS {
 namespace {
-
-// A loop over neighbouring cells. The count is copied first, so that the compiler need not read it again.
-#define ERG_EACH(i, count) _Pragma("GCC ivdep") for (int i = 0, end_of_##i = (count); i < end_of_##i; ++i)
 
 /// 64 bytes, each 0 or 1, as bits.
 [[gnu::always_inline]] inline std::uint64_t bits_of(const std::uint8_t* bytes) {

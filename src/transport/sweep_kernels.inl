@@ -6,6 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "transport/each_lane.h"
 #include "transport/fixed_point.h"
 #include "transport/slab_cell.h"
 #include "transport/sweep.h"

@@ -1,8 +1,5 @@
 // Part of sweep_kernels.inl: how a strip's lines are found in memory as they run down the wind.
 
-// A loop over lanes. The count is copied first: bytes may alias anything, so the compiler would read a member again.
-#define ERG_EACH(i, count) _Pragma("GCC ivdep") for (int i = 0, end_of_##i = (count); i < end_of_##i; ++i)
-
 /// Copies `count` lanes, in whole pieces of 64 bytes where there is room for the last one too, here and there. A
 /// processor hands what was just written on to a load within one store, and a load across two has to wait.
 template <typename T>

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-struct _XDisplay;
-union _XEvent;
+struct _XDisplay;  // NOLINT(bugprone-reserved-identifier): X's name
+union _XEvent;     // NOLINT(bugprone-reserved-identifier)
 
 namespace erg {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-struct _XDisplay;
+struct _XDisplay;  // NOLINT(bugprone-reserved-identifier): X's name
 
 namespace erg {
 

@@ -47,8 +47,8 @@ class WindPanel final : public Panel {
 
  private:
   bool shows_seasons(const WindEditor& wind) const { return seasons_wanted_ || !wind.regime().is_constant(); }
-  void draw_kind(WindEditor wind);
-  void draw_list(WindEditor wind, std::size_t now);
+  void draw_kind(const WindEditor& wind);
+  void draw_list(const WindEditor& wind, std::size_t now);
   void draw_list_buttons(WindEditor wind);
   void draw_bearing(WindEditor wind);
   void draw_strengths(WindEditor wind, const std::string& strength_label);
@@ -63,7 +63,7 @@ class WindPanel final : public Panel {
   std::vector<Season> put_aside_;  ///< the seasons while the wind is constant, so that switching loses nothing
 };
 
-void WindPanel::draw_kind(WindEditor wind) {
+void WindPanel::draw_kind(const WindEditor& wind) {
   const bool seasons = shows_seasons(wind);
   const float half = share_of_width(2);
   if (button("CONSTANT", {.tooltip = "One bearing and one strength for ever. Seasons are kept for later.",
@@ -88,7 +88,7 @@ void WindPanel::draw_kind(WindEditor wind) {
   }
 }
 
-void WindPanel::draw_list(WindEditor wind, std::size_t now) {
+void WindPanel::draw_list(const WindEditor& wind, std::size_t now) {
   constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
   if (!ImGui::BeginTable("seasons", 4, flags)) return;
   ImGui::TableSetupColumn("", 0, 0.5f);
