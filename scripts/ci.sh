@@ -6,7 +6,7 @@
 #   tsan   threads: the tests of the window's worker
 #   clang  a second compiler: it takes the whole program, and the golden hashes are the same
 #   test   scripts/test.sh, the release build and every test; its line "N passed, N failed" comes last
-# Without names it does all of them but tsan, whether or not one fails, and fails if one did. scripts/sanitize.sh does more.
+# Without names it does all of them, whether or not one fails, and fails if one did. scripts/sanitize.sh does more.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/lib/prepare.sh
@@ -36,7 +36,7 @@ part_tsan() { build tsan test_studio && run_tests tsan test_studio; }
 part_clang() { build clang erg test_golden && run_tests clang test_golden; }
 part_test() { scripts/test.sh; }
 
-parts=(lint debug asan clang test)
+parts=(lint debug asan tsan clang test)
 [ $# -eq 0 ] || parts=("$@")
 install_missing
 install_missing scripts/developer_packages.txt
