@@ -2,14 +2,14 @@
 //
 //   {"target": [256, 256, 4], "bearing": 160, "altitude": 24, "distance": 600, "opening": 32, "orthographic": false}
 //
-// Lengths in m, angles in degrees, as in core/camera.h. Only target and distance must be there.
+// Lengths in m, angles in degrees, as in picture/camera.h. Only target and distance must be there.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
-#include "core/camera.h"
+#include "picture/camera.h"
 
 namespace erg {
 

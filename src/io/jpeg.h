@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "core/image.h"
 #include "io/provenance.h"
+#include "picture/image.h"
 
 namespace erg {
 

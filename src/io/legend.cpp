@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/label.h"
-#include "core/marks.h"
+#include "picture/label.h"
+#include "picture/marks.h"
 #include "wind/bearing.h"
 
 namespace erg {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "core/palette.h"
 #include "io/legend.h"
 #include "io/relief.h"
+#include "picture/palette.h"
 
 namespace erg {
 namespace {

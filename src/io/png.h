@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/image.h"
 #include "io/provenance.h"
+#include "picture/image.h"
 
 namespace erg {
 

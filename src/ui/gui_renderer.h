@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/image.h"
+#include "picture/image.h"
 #include "render/gl.h"
 #include "ui/gui.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/camera.h"
+#include "picture/camera.h"
 #include "render/camera.h"
 
 namespace erg {

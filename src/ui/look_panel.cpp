@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/palette.h"
 #include "core/units.h"
+#include "picture/palette.h"
 #include "ui/land_view.h"
 #include "ui/widgets.h"
 #include "wind/bearing.h"

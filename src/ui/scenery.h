@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/camera.h"
+#include "picture/camera.h"
 #include "render/look.h"
 #include "ui/land_camera.h"
 

@@ -1,7 +1,7 @@
 // A picture of the interface, drawn off the screen.
 #pragma once
 
-#include "core/image.h"
+#include "picture/image.h"
 #include "ui/gui.h"
 
 namespace erg::test {

@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "core/errors.h"
-#include "core/label.h"
-#include "core/marks.h"
 #include "io/legend.h"
 #include "io/png_reader.h"
+#include "picture/label.h"
+#include "picture/marks.h"
 #include "temporary_folder.h"
 
 namespace erg {

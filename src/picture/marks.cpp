@@ -1,10 +1,10 @@
-#include "core/marks.h"
+#include "picture/marks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "core/label.h"
+#include "picture/label.h"
 
 namespace erg {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/label.h"
+#include "picture/label.h"
 
 #include <cmath>
 #include <fstream>

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/image.h"
+#include "picture/image.h"
 
 namespace erg {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/palette.h"
+#include "picture/palette.h"
 
 namespace erg {
 

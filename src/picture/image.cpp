@@ -1,4 +1,4 @@
-#include "core/image.h"
+#include "picture/image.h"
 
 #include <algorithm>
 #include <cmath>
