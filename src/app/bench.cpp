@@ -8,10 +8,10 @@
 #include <typeinfo>
 
 #include "app/model_stage.h"
-#include "core/allowance.h"
 #include "core/random.h"
 #include "core/units.h"
 #include "models/slab_model.h"
+#include "process/allowance.h"
 #include "sim/simulation.h"
 
 namespace erg {

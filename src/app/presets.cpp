@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/errors.h"
-#include "core/program_files.h"
 #include "io/given_file.h"
+#include "process/program_files.h"
 
 namespace erg {
 namespace {

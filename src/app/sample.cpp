@@ -12,8 +12,8 @@
 #include "app/presets.h"
 #include "app/progress.h"
 #include "app/text_table.h"
-#include "core/allowance.h"
 #include "io/config_file.h"
+#include "process/allowance.h"
 
 namespace erg {
 namespace {

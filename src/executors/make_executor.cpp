@@ -1,9 +1,9 @@
 // Every executor by name.
 #include <algorithm>
 
-#include "core/allowance.h"
 #include "core/errors.h"
 #include "cuda/cuda_executor.h"
+#include "process/allowance.h"
 #include "transport/serial_executor.h"
 
 namespace erg {

@@ -1,4 +1,4 @@
-#include "core/allowance.h"
+#include "process/allowance.h"
 
 #include <sched.h>
 #include <sys/resource.h>

@@ -1,4 +1,4 @@
-#include "core/program_files.h"
+#include "process/program_files.h"
 
 #include <system_error>
 
