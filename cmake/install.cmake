@@ -9,7 +9,7 @@ install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION ${share
 install(FILES scripts/packages.txt DESTINATION ${share}/scripts)
 
 # The layers without pictures in OpenGL and without the window: a program that computes needs neither.
-set(library_layers core process picture wind transport cuda executors models sim analysis io)
+set(library_layers core process picture forcing transport cuda executors models sim analysis io)
 set(library_targets erg_options)
 foreach(layer IN LISTS library_layers)
   set_target_properties(erg_${layer} PROPERTIES EXPORT_NAME ${layer})

@@ -13,11 +13,11 @@
 #include "app/text_table.h"
 #include "core/exact_text.h"
 #include "core/terrain.h"
+#include "forcing/bearing.h"
 #include "models/grains.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "transport/executor.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

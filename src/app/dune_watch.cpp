@@ -6,8 +6,8 @@
 
 #include "analysis/crests.h"
 #include "core/units.h"
+#include "forcing/mean_wind.h"
 #include "sim/step_time.h"
-#include "wind/mean_wind.h"
 
 namespace erg {
 namespace {

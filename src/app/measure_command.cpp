@@ -13,8 +13,8 @@
 #include "app/progress.h"
 #include "app/run_setup.h"
 #include "core/errors.h"
+#include "forcing/bearing.h"
 #include "io/start_simulation.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

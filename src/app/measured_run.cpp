@@ -9,10 +9,10 @@
 #include "analysis/crests.h"
 #include "core/exact_text.h"
 #include "core/units.h"
+#include "forcing/shadow.h"
 #include "io/config_file.h"
 #include "io/provenance.h"
 #include "sim/step_time.h"
-#include "wind/shadow.h"
 
 namespace erg {
 namespace {

@@ -7,11 +7,11 @@
 #include "app/options.h"
 #include "core/errors.h"
 #include "core/exact_text.h"
+#include "forcing/bearing.h"
+#include "forcing/shadow.h"
 #include "io/camera_file.h"
 #include "io/given_file.h"
 #include "render/gl_context.h"
-#include "wind/bearing.h"
-#include "wind/shadow.h"
 
 namespace erg {
 namespace {

@@ -19,10 +19,10 @@
 #include "app/text_table.h"
 #include "app/way_on.h"
 #include "core/exact_text.h"
+#include "forcing/bearing.h"
 #include "io/atomic_file.h"
 #include "io/provenance.h"
 #include "sim/step_time.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "app/output_folder.h"
+#include "forcing/shadow.h"
 #include "io/checkpoint.h"
 #include "io/heightmap.h"
 #include "io/mesh.h"
 #include "io/picture.h"
 #include "io/start_simulation.h"
 #include "io/vti.h"
-#include "wind/shadow.h"
 
 namespace erg {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/validation.h"
 #include "app/validation_nature.h"
 #include "core/units.h"
-#include "wind/bearing.h"
+#include "forcing/bearing.h"
 
 namespace erg {
 namespace {

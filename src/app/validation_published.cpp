@@ -5,7 +5,7 @@
 #include "app/text_table.h"
 #include "app/validation.h"
 #include "core/units.h"
-#include "wind/shadow.h"
+#include "forcing/shadow.h"
 
 namespace erg {
 namespace {

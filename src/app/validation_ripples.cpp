@@ -5,7 +5,7 @@
 #include "app/sample.h"
 #include "app/text_table.h"
 #include "app/validation.h"
-#include "wind/bearing.h"
+#include "forcing/bearing.h"
 
 namespace erg {
 namespace {

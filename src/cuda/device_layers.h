@@ -9,7 +9,7 @@
 #include "core/grid.h"
 #include "cuda/device.h"
 #include "cuda/device_plan.h"
-#include "wind/wind_frame.h"
+#include "forcing/wind_frame.h"
 
 namespace erg {
 

@@ -1,6 +1,6 @@
 #include "cuda/device_plan.h"
 
-#include "wind/wind_frame.h"
+#include "forcing/wind_frame.h"
 
 namespace erg {
 

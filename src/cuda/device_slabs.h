@@ -8,8 +8,8 @@
 #include "cuda/device.h"
 #include "cuda/device_plan.h"
 #include "cuda/device_tally.h"
+#include "forcing/wind_frame.h"
 #include "transport/executor.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

@@ -6,10 +6,10 @@
 #include <map>
 #include <optional>
 
+#include "forcing/bearing.h"
 #include "io/config_file.h"
 #include "io/json_tree.h"
 #include "models/model.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

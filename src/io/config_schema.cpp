@@ -2,10 +2,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "forcing/bearing.h"
 #include "io/config_file.h"
 #include "io/json_print.h"
 #include "models/model.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/units.h"
-#include "wind/bearing.h"
+#include "forcing/bearing.h"
 
 namespace erg {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forcing/bearing.h"
 #include "picture/label.h"
 #include "picture/marks.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

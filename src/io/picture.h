@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/terrain.h"
+#include "forcing/regime.h"
 #include "io/png.h"
-#include "wind/regime.h"
 
 namespace erg {
 

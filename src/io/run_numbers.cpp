@@ -7,8 +7,8 @@
 #include "analysis/morphometry.h"
 #include "analysis/spectrum.h"
 #include "core/exact_text.h"
+#include "forcing/shadow.h"
 #include "sim/step_time.h"
-#include "wind/shadow.h"
 
 namespace erg {
 namespace {

@@ -13,9 +13,9 @@
 #include "core/parameters.h"
 #include "core/random.h"
 #include "core/terrain.h"
+#include "forcing/regime.h"
 #include "models/model_start.h"
 #include "transport/executor.h"
-#include "wind/regime.h"
 
 namespace erg {
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "core/joined.h"
+#include "forcing/bearing.h"
 #include "models/model.h"
 #include "transport/executor.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

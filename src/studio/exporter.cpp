@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/errors.h"
+#include "forcing/shadow.h"
 #include "io/checkpoint.h"
 #include "io/config_file.h"
 #include "io/heightmap.h"
@@ -15,7 +16,6 @@
 #include "io/table.h"
 #include "io/vti.h"
 #include "sim/memory.h"
-#include "wind/shadow.h"
 
 namespace erg {
 namespace {

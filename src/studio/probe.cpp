@@ -7,8 +7,8 @@
 
 #include "core/surface_range.h"
 #include "core/units.h"
+#include "forcing/bearing.h"
 #include "io/table.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <utility>
 
-#include "wind/shadow.h"
+#include "forcing/shadow.h"
 
 namespace erg {
 namespace {

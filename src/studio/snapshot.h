@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "core/terrain.h"
+#include "forcing/regime.h"
 #include "sim/config.h"
 #include "sim/simulation.h"
 #include "studio/series.h"
 #include "studio/wind_cycle.h"
 #include "transport/executor.h"
-#include "wind/regime.h"
 
 namespace erg {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "wind/regime.h"
+#include "forcing/regime.h"
 
 namespace erg {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "forcing/bearing.h"
 #include "sim/config.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

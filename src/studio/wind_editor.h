@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "wind/regime.h"
+#include "forcing/regime.h"
 
 namespace erg {
 

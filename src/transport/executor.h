@@ -12,9 +12,9 @@
 
 #include "core/random.h"
 #include "core/terrain.h"
+#include "forcing/regime.h"
 #include "transport/slab_law.h"
 #include "transport/step_report.h"
-#include "wind/regime.h"
 
 namespace erg {
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "core/terrain.h"
+#include "forcing/wind_frame.h"
 #include "transport/executor.h"
 #include "transport/grain_bed_cell.h"
 #include "transport/grain_step.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "forcing/wind_frame.h"
 #include "transport/aligned_vector.h"
 #include "transport/grain_bed.h"
 #include "transport/snow_drift.h"
 #include "transport/sweep.h"
 #include "transport/thread_team.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "forcing/wind_frame.h"
 #include "transport/executor.h"
 #include "transport/grain_bed.h"
 #include "transport/snow_drift.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "forcing/bearing.h"
 #include "ui/axis_ticks.h"
 #include "ui/gui.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

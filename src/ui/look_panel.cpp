@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "forcing/bearing.h"
 #include "picture/palette.h"
 #include "ui/land_view.h"
 #include "ui/widgets.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

@@ -12,11 +12,11 @@
 
 #include "core/errors.h"
 #include "core/units.h"
+#include "forcing/bearing.h"
+#include "forcing/regime.h"
 #include "ui/axis_ticks.h"
 #include "ui/typed_number.h"
 #include "ui/widgets.h"
-#include "wind/bearing.h"
-#include "wind/regime.h"
 
 namespace erg {
 namespace {

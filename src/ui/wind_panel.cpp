@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forcing/bearing.h"
 #include "studio/studio.h"
 #include "studio/wind_cycle.h"
 #include "ui/axis_ticks.h"
@@ -10,7 +11,6 @@
 #include "ui/plot.h"
 #include "ui/widgets.h"
 #include "ui/wind_dial.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

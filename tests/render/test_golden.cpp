@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "forcing/shadow.h"
 #include "io/png.h"
 #include "models/model.h"
 #include "render/gl_context.h"
@@ -12,7 +13,6 @@
 #include "scene.h"
 #include "sim/flux_watch.h"
 #include "transport/executor.h"
-#include "wind/shadow.h"
 
 namespace erg::test {
 namespace {

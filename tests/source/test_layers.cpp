@@ -25,11 +25,11 @@ TEST(Layers, NoIncludeRunsUp) {
 }
 
 TEST(Layers, AnIncludeThatRunsUpOrAcrossIsSeen) {
-  EXPECT_TRUE(runs_up("core/grid.h", "wind/regime.h"));
+  EXPECT_TRUE(runs_up("core/grid.h", "forcing/regime.h"));
   EXPECT_TRUE(runs_up("models/model.h", "sim/config.h"));
-  EXPECT_TRUE(runs_up("analysis/fourier.h", "wind/shadow.h")) << "beside, not below";
+  EXPECT_TRUE(runs_up("analysis/fourier.h", "forcing/shadow.h")) << "beside, not below";
   EXPECT_TRUE(runs_up("render/camera.h", "io/png.h"));
-  EXPECT_FALSE(runs_up("wind/regime.h", "core/grid.h"));
+  EXPECT_FALSE(runs_up("forcing/regime.h", "core/grid.h"));
   EXPECT_FALSE(runs_up("app/bench.h", "core/grid.h"));
 }
 

@@ -1,4 +1,4 @@
-#include "wind/wind_frame.h"
+#include "forcing/wind_frame.h"
 
 #include <cmath>
 #include <numbers>

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "wind/regime.h"
+#include "forcing/regime.h"
 
 namespace erg {
 

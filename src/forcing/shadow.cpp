@@ -1,4 +1,4 @@
-#include "wind/shadow.h"
+#include "forcing/shadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "core/surface_range.h"
 #include "core/units.h"
-#include "wind/wind_frame.h"
+#include "forcing/wind_frame.h"
 
 namespace erg {
 namespace {

@@ -1,9 +1,9 @@
-#include "wind/mean_wind.h"
+#include "forcing/mean_wind.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "wind/bearing.h"
+#include "forcing/bearing.h"
 
 namespace erg {
 namespace {
