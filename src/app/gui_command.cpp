@@ -7,7 +7,7 @@
 #include "app/options.h"
 #include "app/presets.h"
 #include "core/errors.h"
-#include "studio/settings.h"
+#include "session/settings.h"
 #include "ui/desktop.h"
 
 namespace erg {

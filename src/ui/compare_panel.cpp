@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "io/run_numbers.h"
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/axis_ticks.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

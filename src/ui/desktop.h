@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "studio/studio.h"
+#include "session/studio.h"
 
 namespace erg {
 

@@ -1,5 +1,5 @@
 // EXPORT: the run as a file of every kind.
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

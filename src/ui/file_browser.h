@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "studio/folder_listing.h"
-#include "studio/studio.h"
+#include "session/folder_listing.h"
+#include "session/studio.h"
 
 namespace erg {
 

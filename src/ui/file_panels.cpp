@@ -1,5 +1,5 @@
 // OPEN and SAVE AS.
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -7,7 +7,7 @@
 #include "io/config_file.h"
 #include "io/preset_list.h"
 #include "models/model.h"
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

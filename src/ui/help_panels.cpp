@@ -1,5 +1,5 @@
 // KEYS and ABOUT.
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

@@ -8,7 +8,7 @@
 
 #include "picture/camera.h"
 #include "render/look.h"
-#include "studio/snapshot.h"
+#include "session/snapshot.h"
 #include "ui/land_camera.h"
 #include "ui/land_view.h"
 #include "ui/panel.h"

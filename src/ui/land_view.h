@@ -10,7 +10,7 @@
 
 #include "io/provenance.h"
 #include "render/renderer.h"
-#include "studio/snapshot.h"
+#include "session/snapshot.h"
 #include "ui/land_camera.h"
 #include "ui/still_painter.h"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/land_overlay.h"
 #include "ui/panel.h"
 #include "ui/scenery.h"

@@ -1,7 +1,7 @@
 // LOG: what happened, by level.
-#include "studio/log.h"
+#include "session/log.h"
 
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

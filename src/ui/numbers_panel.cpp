@@ -3,8 +3,8 @@
 #include <array>
 
 #include "io/run_numbers.h"
-#include "studio/probe.h"
-#include "studio/studio.h"
+#include "session/probe.h"
+#include "session/studio.h"
 #include "ui/axis_ticks.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"

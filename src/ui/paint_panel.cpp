@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/axis_ticks.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

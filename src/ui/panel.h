@@ -1,7 +1,7 @@
 // What a panel is, and what the window offers it.
 //
 // A panel is a small class in a file of its own. The window draws frame, heading and scroll bar around it; the panel
-// draws its content with the widgets of ui/widgets.h. It reads the view model (src/studio) and tells it what to do, and
+// draws its content with the widgets of ui/widgets.h. It reads the view model (src/session) and tells it what to do, and
 // knows neither OpenGL nor the window.
 #pragma once
 
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "studio/studio.h"
+#include "session/studio.h"
 
 namespace erg {
 

@@ -1,7 +1,7 @@
 // RECOVERY: what a crash left behind.
 #include <filesystem>
 
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

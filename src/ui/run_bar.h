@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "studio/studio.h"
+#include "session/studio.h"
 
 namespace erg {
 

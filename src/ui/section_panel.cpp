@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studio/probe.h"
-#include "studio/studio.h"
+#include "session/probe.h"
+#include "session/studio.h"
 #include "ui/axis_ticks.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"

@@ -1,6 +1,6 @@
 // SETUP: what the run is made of.
-#include "studio/step_cost.h"
-#include "studio/studio.h"
+#include "session/step_cost.h"
+#include "session/studio.h"
 #include "ui/axis_ticks.h"
 #include "ui/file_browser.h"
 #include "ui/panels.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "studio/setup.h"
+#include "session/setup.h"
 
 namespace erg {
 

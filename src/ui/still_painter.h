@@ -14,7 +14,7 @@
 #include "render/camera.h"
 #include "render/effort.h"
 #include "render/look.h"
-#include "studio/snapshot.h"
+#include "session/snapshot.h"
 
 namespace erg {
 

@@ -1,7 +1,7 @@
 // TEMPERATURE: over the run, for models that ask for it.
 #include <algorithm>
 
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/curve_editor.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "forcing/bearing.h"
-#include "studio/studio.h"
-#include "studio/wind_cycle.h"
+#include "session/studio.h"
+#include "session/wind_cycle.h"
 #include "ui/axis_ticks.h"
 #include "ui/curve_editor.h"
 #include "ui/panels.h"

@@ -8,7 +8,7 @@
 
 #include "../unit/temporary_folder.h"
 #include "harness.h"
-#include "studio/studio.h"
+#include "session/studio.h"
 #include "ui/panels.h"
 
 namespace erg::test {

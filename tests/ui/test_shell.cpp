@@ -4,7 +4,7 @@
 #include <optional>
 #include <thread>
 
-#include "../studio/torn_session.h"
+#include "../session/torn_session.h"
 #include "io/camera_file.h"
 #include "io/config_file.h"
 #include "shell_hand.h"

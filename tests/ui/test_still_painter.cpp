@@ -5,7 +5,7 @@
 #include <set>
 #include <thread>
 
-#include "../studio/snapshot_of.h"
+#include "../session/snapshot_of.h"
 #include "panel_hand.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
