@@ -9,8 +9,8 @@
 #include "app/presets.h"
 #include "app/text_table.h"
 #include "core/errors.h"
-#include "io/config_file.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
+#include "io/config/config_file.h"
 #include "models/model.h"
 #include "sim/step_time.h"
 

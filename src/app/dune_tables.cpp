@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/text_table.h"
-#include "io/config_file.h"
-#include "io/table.h"
+#include "io/config/config_file.h"
+#include "io/formats/table.h"
 
 namespace erg {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/dune_numbers.h"
-#include "io/provenance.h"
+#include "io/config/provenance.h"
+#include "io/formats/dune_numbers.h"
 #include "sim/config.h"
 
 namespace erg {

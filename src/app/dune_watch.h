@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "analysis/dune_tracker.h"
-#include "io/dune_numbers.h"
+#include "io/formats/dune_numbers.h"
 #include "sim/simulation.h"
 
 namespace erg {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "app/output_folder.h"
-#include "io/atomic_file.h"
-#include "io/png.h"
+#include "io/files/atomic_file.h"
+#include "io/formats/png.h"
 
 namespace erg {
 namespace {

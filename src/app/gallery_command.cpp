@@ -11,9 +11,9 @@
 #include "app/presets.h"
 #include "app/progress.h"
 #include "app/run_setup.h"
-#include "io/config_file.h"
-#include "io/jpeg.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
+#include "io/config/config_file.h"
+#include "io/formats/jpeg.h"
 #include "render/gl_context.h"
 
 namespace erg {

@@ -8,8 +8,8 @@
 #include "app/standard_streams.h"
 #include "app/tell.h"
 #include "core/errors.h"
-#include "io/atomic_file.h"
-#include "io/provenance.h"
+#include "io/config/provenance.h"
+#include "io/files/atomic_file.h"
 
 namespace erg {
 namespace {

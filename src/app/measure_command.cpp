@@ -14,7 +14,7 @@
 #include "app/run_setup.h"
 #include "core/errors.h"
 #include "forcing/bearing.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
 
 namespace erg {
 namespace {

@@ -10,8 +10,8 @@
 #include "core/exact_text.h"
 #include "core/units.h"
 #include "forcing/shadow.h"
-#include "io/config_file.h"
-#include "io/provenance.h"
+#include "io/config/config_file.h"
+#include "io/config/provenance.h"
 #include "sim/step_time.h"
 
 namespace erg {

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "core/errors.h"
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 
 namespace erg {
 namespace {

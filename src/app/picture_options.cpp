@@ -9,8 +9,8 @@
 #include "core/exact_text.h"
 #include "forcing/bearing.h"
 #include "forcing/shadow.h"
-#include "io/camera_file.h"
-#include "io/given_file.h"
+#include "io/files/given_file.h"
+#include "io/formats/camera_file.h"
 #include "render/gl_context.h"
 
 namespace erg {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/errors.h"
-#include "io/given_file.h"
+#include "io/files/given_file.h"
 #include "process/program_files.h"
 
 namespace erg {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/preset_list.h"
+#include "io/config/preset_list.h"
 
 namespace erg {
 

@@ -20,8 +20,8 @@
 #include "app/way_on.h"
 #include "core/exact_text.h"
 #include "forcing/bearing.h"
-#include "io/atomic_file.h"
-#include "io/provenance.h"
+#include "io/config/provenance.h"
+#include "io/files/atomic_file.h"
 #include "sim/step_time.h"
 
 namespace erg {

@@ -6,12 +6,12 @@
 
 #include "app/output_folder.h"
 #include "forcing/shadow.h"
-#include "io/checkpoint.h"
-#include "io/heightmap.h"
-#include "io/mesh.h"
-#include "io/picture.h"
-#include "io/start_simulation.h"
-#include "io/vti.h"
+#include "io/checkpoint/checkpoint.h"
+#include "io/checkpoint/start_simulation.h"
+#include "io/formats/heightmap.h"
+#include "io/formats/mesh.h"
+#include "io/formats/picture.h"
+#include "io/formats/vti.h"
 
 namespace erg {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/run_numbers.h"
-#include "io/table.h"
+#include "io/formats/run_numbers.h"
+#include "io/formats/table.h"
 #include "sim/simulation.h"
 
 namespace erg {

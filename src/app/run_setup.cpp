@@ -5,10 +5,10 @@
 
 #include "app/notice.h"
 #include "app/presets.h"
-#include "io/checkpoint.h"
-#include "io/config_file.h"
-#include "io/given_file.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/checkpoint.h"
+#include "io/checkpoint/start_simulation.h"
+#include "io/config/config_file.h"
+#include "io/files/given_file.h"
 #include "sim/memory.h"
 
 namespace erg {

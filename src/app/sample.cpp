@@ -12,7 +12,7 @@
 #include "app/presets.h"
 #include "app/progress.h"
 #include "app/text_table.h"
-#include "io/config_file.h"
+#include "io/config/config_file.h"
 #include "process/allowance.h"
 
 namespace erg {

@@ -12,9 +12,9 @@
 #include "app/page_part.h"
 #include "app/validation.h"
 #include "core/errors.h"
-#include "io/atomic_file.h"
-#include "io/given_file.h"
-#include "io/provenance.h"
+#include "io/config/provenance.h"
+#include "io/files/atomic_file.h"
+#include "io/files/given_file.h"
 
 namespace erg {
 namespace {

@@ -6,8 +6,8 @@
 #include "app/text_table.h"
 #include "app/validation.h"
 #include "app/validation_plants.h"
-#include "io/config_file.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
+#include "io/config/config_file.h"
 
 namespace erg {
 namespace {

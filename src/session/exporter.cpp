@@ -7,14 +7,14 @@
 
 #include "core/errors.h"
 #include "forcing/shadow.h"
-#include "io/checkpoint.h"
-#include "io/config_file.h"
-#include "io/heightmap.h"
-#include "io/mesh.h"
-#include "io/picture.h"
-#include "io/png.h"
-#include "io/table.h"
-#include "io/vti.h"
+#include "io/checkpoint/checkpoint.h"
+#include "io/config/config_file.h"
+#include "io/formats/heightmap.h"
+#include "io/formats/mesh.h"
+#include "io/formats/picture.h"
+#include "io/formats/png.h"
+#include "io/formats/table.h"
+#include "io/formats/vti.h"
 #include "sim/memory.h"
 
 namespace erg {

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/mesh.h"
+#include "io/formats/mesh.h"
 #include "session/snapshot.h"
 
 namespace erg {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/errors.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
 #include "sim/memory.h"
 
 namespace erg {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "session/brush.h"
 #include "session/wind_cycle.h"
 #include "sim/simulation.h"

@@ -8,7 +8,7 @@
 #include "core/surface_range.h"
 #include "core/units.h"
 #include "forcing/bearing.h"
-#include "io/table.h"
+#include "io/formats/table.h"
 
 namespace erg {
 namespace {

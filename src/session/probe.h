@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/terrain.h"
-#include "io/provenance.h"
+#include "io/config/provenance.h"
 
 namespace erg {
 

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "session/brush.h"
 #include "session/lockstep.h"
 #include "session/log.h"

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/table.h"
+#include "io/formats/table.h"
 
 namespace erg {
 

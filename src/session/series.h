@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/provenance.h"
-#include "io/run_numbers.h"
+#include "io/config/provenance.h"
+#include "io/formats/run_numbers.h"
 
 namespace erg {
 

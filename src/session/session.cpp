@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "core/errors.h"
-#include "io/atomic_file.h"
-#include "io/json_print.h"
+#include "io/files/atomic_file.h"
+#include "io/files/json_print.h"
 #include "session/surroundings.h"
 #include "sim/memory.h"
 

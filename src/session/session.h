@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "io/checkpoint.h"
+#include "io/checkpoint/checkpoint.h"
 #include "session/snapshot.h"
 
 namespace erg {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/errors.h"
-#include "io/atomic_file.h"
-#include "io/json_print.h"
+#include "io/files/atomic_file.h"
+#include "io/files/json_print.h"
 #include "session/surroundings.h"
 
 namespace erg {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <random>
 
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
 #include "sim/simulation.h"
 #include "sim/step_time.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/provenance.h"
+#include "io/config/provenance.h"
 #include "sim/step_time.h"
 
 namespace erg {

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <thread>
 
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
 
 namespace erg {
 namespace {

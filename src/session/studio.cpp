@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/errors.h"
-#include "io/config_file.h"
-#include "io/given_file.h"
+#include "io/config/config_file.h"
+#include "io/files/given_file.h"
 #include "sim/memory.h"
 
 namespace erg {

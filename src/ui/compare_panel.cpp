@@ -1,7 +1,7 @@
 // COMPARE: two to four runs under one wind and clock, and how they differ.
 #include <cmath>
 
-#include "io/run_numbers.h"
+#include "io/formats/run_numbers.h"
 #include "session/studio.h"
 #include "ui/axis_ticks.h"
 #include "ui/panels.h"

@@ -11,7 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "io/png.h"
+#include "io/formats/png.h"
 #include "ui/gui_renderer.h"
 #include "ui/land_view.h"
 #include "ui/panels.h"

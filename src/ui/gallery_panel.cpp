@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/errors.h"
-#include "io/config_file.h"
-#include "io/preset_list.h"
+#include "io/config/config_file.h"
+#include "io/config/preset_list.h"
 #include "models/model.h"
 #include "session/studio.h"
 #include "ui/panels.h"

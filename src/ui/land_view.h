@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/provenance.h"
+#include "io/config/provenance.h"
 #include "render/renderer.h"
 #include "session/snapshot.h"
 #include "ui/land_camera.h"

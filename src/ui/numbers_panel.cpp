@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "io/run_numbers.h"
+#include "io/formats/run_numbers.h"
 #include "session/probe.h"
 #include "session/studio.h"
 #include "ui/axis_ticks.h"

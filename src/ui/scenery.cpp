@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/errors.h"
-#include "io/camera_file.h"
+#include "io/formats/camera_file.h"
 
 namespace erg {
 

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "forcing/shadow.h"
-#include "io/png.h"
+#include "io/formats/png.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "../unit/temporary_folder.h"
-#include "io/config_file.h"
+#include "io/config/config_file.h"
 #include "session/studio.h"
 #include "small_config.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/config_file.h"
+#include "io/config/config_file.h"
 #include "session/comparison.h"
 #include "session/setup.h"
 #include "session/step_cost.h"

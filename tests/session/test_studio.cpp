@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "../unit/temporary_folder.h"
-#include "io/config_file.h"
-#include "io/heightmap.h"
+#include "io/config/config_file.h"
+#include "io/formats/heightmap.h"
 #include "small_config.h"
 
 namespace erg {

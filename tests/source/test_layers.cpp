@@ -24,11 +24,18 @@ TEST(Layers, NoIncludeRunsUp) {
   }
 }
 
+TEST(Layers, AFileLiesInTheInnermostLayerAroundIt) {
+  EXPECT_EQ(layer_of("io/files/given_file.h"), "io/files");
+  EXPECT_EQ(layer_of("render/without/osmesa_context.cpp"), "render");
+}
+
 TEST(Layers, AnIncludeThatRunsUpOrAcrossIsSeen) {
   EXPECT_TRUE(runs_up("core/grid.h", "forcing/regime.h"));
   EXPECT_TRUE(runs_up("models/model.h", "sim/config.h"));
   EXPECT_TRUE(runs_up("analysis/fourier.h", "forcing/shadow.h")) << "beside, not below";
-  EXPECT_TRUE(runs_up("render/camera.h", "io/png.h"));
+  EXPECT_TRUE(runs_up("render/camera.h", "io/formats/png.h"));
+  EXPECT_TRUE(runs_up("io/files/given_file.h", "io/config/config_file.h")) << "between the folders of a folder too";
+  EXPECT_FALSE(runs_up("io/config/config_file.h", "io/files/given_file.h"));
   EXPECT_FALSE(runs_up("forcing/regime.h", "core/grid.h"));
   EXPECT_FALSE(runs_up("app/bench.h", "core/grid.h"));
 }
@@ -43,7 +50,7 @@ std::set<std::string> links_on_the_page(const std::string& page, const std::stri
   std::set<std::string> names;
   std::string name;
   for (const char letter : line.substr(begin + 1, end - begin - 1) + ",") {
-    if (letter >= 'a' && letter <= 'z') {
+    if ((letter >= 'a' && letter <= 'z') || letter == '/') {
       name += letter;
     } else if (!name.empty() && letter == ',') {
       names.insert(std::exchange(name, ""));

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "flat_stage.h"
-#include "io/png.h"
+#include "io/formats/png.h"
 #include "panel_hand.h"
 #include "picture_of_gui.h"
 #include "ui/look_panel.h"

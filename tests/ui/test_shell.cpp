@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "../session/torn_session.h"
-#include "io/camera_file.h"
-#include "io/config_file.h"
+#include "io/config/config_file.h"
+#include "io/formats/camera_file.h"
 #include "shell_hand.h"
 #include "ui/look_panel.h"
 #include "ui/picture_panel.h"
