@@ -37,7 +37,7 @@ TEST(Layers, AnIncludeThatRunsUpOrAcrossIsSeen) {
   EXPECT_TRUE(runs_up("io/files/given_file.h", "io/config/config_file.h")) << "between the folders of a folder too";
   EXPECT_FALSE(runs_up("io/config/config_file.h", "io/files/given_file.h"));
   EXPECT_FALSE(runs_up("forcing/regime.h", "core/grid.h"));
-  EXPECT_FALSE(runs_up("app/bench.h", "core/grid.h"));
+  EXPECT_FALSE(runs_up("app/bench/bench.h", "core/grid.h"));
 }
 
 // The row of a layer in the table of docs/architecture.md: | `layer` | what it holds | what it links |
