@@ -40,6 +40,19 @@ TEST(Layers, AnIncludeThatRunsUpOrAcrossIsSeen) {
   EXPECT_FALSE(runs_up("app/bench/bench.h", "core/grid.h"));
 }
 
+// No other folder than the window's could be built without a screen.
+TEST(Layers, OnlyTheWindowKnowsFreeglutAndX) {
+  int found = 0;
+  for (const auto& [path, includes] : source_tree()) {
+    const std::string text = read_text(source_root() / "src" / path);
+    if (text.find("#include <GL/freeglut") == std::string::npos && text.find("#include <X11/") == std::string::npos)
+      continue;
+    ++found;
+    EXPECT_EQ(layer_of(path), "ui/window") << path;
+  }
+  EXPECT_GT(found, 1);
+}
+
 // The row of a layer in the table of docs/architecture.md: | `layer` | what it holds | what it links |
 std::set<std::string> links_on_the_page(const std::string& page, const std::string& layer) {
   const std::size_t row = page.find("\n| `" + layer + "` |");

@@ -9,7 +9,7 @@
 #include "../unit/temporary_folder.h"
 #include "harness.h"
 #include "session/studio.h"
-#include "ui/panels.h"
+#include "ui/panels/panels.h"
 
 namespace erg::test {
 

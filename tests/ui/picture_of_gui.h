@@ -2,7 +2,7 @@
 #pragma once
 
 #include "picture/image.h"
-#include "ui/gui.h"
+#include "ui/widgets/gui.h"
 
 namespace erg::test {
 

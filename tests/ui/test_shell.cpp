@@ -8,8 +8,8 @@
 #include "io/config/config_file.h"
 #include "io/formats/camera_file.h"
 #include "shell_hand.h"
-#include "ui/look_panel.h"
-#include "ui/picture_panel.h"
+#include "ui/land/look_panel.h"
+#include "ui/window/picture_panel.h"
 
 namespace erg::test {
 namespace {

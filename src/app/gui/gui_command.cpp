@@ -9,7 +9,7 @@
 #include "app/cli/presets.h"
 #include "core/errors.h"
 #include "session/settings.h"
-#include "ui/desktop.h"
+#include "ui/window/desktop.h"
 
 namespace erg {
 namespace {
