@@ -9,18 +9,19 @@ install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION ${share
 install(FILES scripts/packages.txt DESTINATION ${share}/scripts)
 
 # The layers without pictures in OpenGL and without the window: a program that computes needs neither.
-set(library_layers core wind transport cuda executors models sim analysis io)
+set(library_layers core wind compute kernels transport cuda models sim analysis io)
 set(library_targets erg_options)
 foreach(layer IN LISTS library_layers)
   set_target_properties(erg_${layer} PROPERTIES EXPORT_NAME ${layer})
   list(APPEND library_targets erg_${layer})
   install(DIRECTORY src/${layer} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/erg" FILES_MATCHING PATTERN "*.h"
-          PATTERN without EXCLUDE)
+          PATTERN "*.def" PATTERN stub EXCLUDE PATTERN without EXCLUDE)
 endforeach()
 set_target_properties(erg_options PROPERTIES EXPORT_NAME options)
 if(ERG_HAS_CUDA)
-  set_target_properties(erg_kernels PROPERTIES EXPORT_NAME kernels)
-  list(APPEND library_targets erg_kernels)
+  set_target_properties(erg_cuda_api PROPERTIES EXPORT_NAME cuda_api)
+  set_target_properties(erg_cuda_entries PROPERTIES EXPORT_NAME cuda_entries)
+  list(APPEND library_targets erg_cuda_api erg_cuda_entries)
 endif()
 install(TARGETS ${library_targets} EXPORT ErgTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 

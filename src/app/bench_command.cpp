@@ -11,12 +11,12 @@
 #include "app/options.h"
 #include "app/render_bench.h"
 #include "app/text_table.h"
+#include "compute/executor.h"
 #include "core/exact_text.h"
 #include "core/terrain.h"
 #include "models/grains.h"
 #include "models/model.h"
 #include "render/gl_context.h"
-#include "transport/executor.h"
 #include "wind/bearing.h"
 
 namespace erg {

@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "compute/executor.h"
 #include "core/grain_path.h"
 #include "core/material.h"
 #include "core/parameters.h"
 #include "core/random.h"
 #include "core/terrain.h"
 #include "models/model_start.h"
-#include "transport/executor.h"
+#include "transport/step_report.h"
 #include "wind/regime.h"
 
 namespace erg {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "compute/executor.h"
 #include "core/joined.h"
 #include "models/model.h"
-#include "transport/executor.h"
 #include "wind/bearing.h"
 
 namespace erg {

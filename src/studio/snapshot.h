@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "compute/executor.h"
 #include "core/terrain.h"
 #include "sim/config.h"
 #include "sim/simulation.h"
 #include "studio/series.h"
 #include "studio/wind_cycle.h"
-#include "transport/executor.h"
 #include "wind/regime.h"
 
 namespace erg {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "analysis/migration.h"
+#include "compute/executor.h"
 #include "models/grain_law.h"
 #include "models/grains.h"
-#include "transport/executor.h"
 #include "wind/bearing.h"
 #include "wind/wind_frame.h"
 #include "world.h"

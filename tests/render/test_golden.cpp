@@ -5,13 +5,13 @@
 #include <cstdlib>
 #include <functional>
 
+#include "compute/executor.h"
 #include "io/png.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "scene.h"
 #include "sim/flux_watch.h"
-#include "transport/executor.h"
 #include "wind/shadow.h"
 
 namespace erg::test {
