@@ -9,15 +9,18 @@ install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION ${share
 install(FILES scripts/packages.txt DESTINATION ${share}/scripts)
 
 # The layers without pictures in OpenGL and without the window: a program that computes needs neither.
-set(library_layers core wind compute kernels transport cuda models sim analysis io)
-set(library_targets erg_options)
+set(library_layers core process picture forcing compute kernels transport cuda models sim analysis
+                   io/files io/config io/formats io/checkpoint)
+set(library_targets erg_options erg_io)
 foreach(layer IN LISTS library_layers)
-  set_target_properties(erg_${layer} PROPERTIES EXPORT_NAME ${layer})
-  list(APPEND library_targets erg_${layer})
-  install(DIRECTORY src/${layer} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/erg" FILES_MATCHING PATTERN "*.h"
-          PATTERN "*.def" PATTERN stub EXCLUDE PATTERN without EXCLUDE)
+  string(REPLACE "/" "_" name ${layer})
+  set_target_properties(erg_${name} PROPERTIES EXPORT_NAME ${name})
+  list(APPEND library_targets erg_${name})
+  install(DIRECTORY src/${layer}/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/erg/${layer}" FILES_MATCHING PATTERN "*.h"
+          PATTERN "*.def" PATTERN stub EXCLUDE)
 endforeach()
 set_target_properties(erg_options PROPERTIES EXPORT_NAME options)
+set_target_properties(erg_io PROPERTIES EXPORT_NAME io)
 if(ERG_HAS_CUDA)
   set_target_properties(erg_cuda_api PROPERTIES EXPORT_NAME cuda_api)
   set_target_properties(erg_cuda_entries PROPERTIES EXPORT_NAME cuda_entries)

@@ -32,7 +32,7 @@ run_tests() {
 part_lint() { scripts/lint.sh; }
 part_debug() { build debug test_golden && run_tests debug test_golden; }
 part_asan() { build asan test_unit && run_tests asan test_unit; }
-part_tsan() { build tsan test_studio && run_tests tsan test_studio; }
+part_tsan() { build tsan test_session && run_tests tsan test_session; }
 part_clang() { build clang erg test_golden && run_tests clang test_golden; }
 part_test() { scripts/test.sh; }
 

@@ -20,8 +20,8 @@ check() {
 }
 
 case "${1:-both}" in
-  asan) check asan "unit laws cuda studio ui window" "${@:2}" ;;
-  tsan) check tsan "laws cuda studio ui" "${@:2}" ;;
+  asan) check asan "unit laws cuda session ui window" "${@:2}" ;;
+  tsan) check tsan "laws cuda session ui" "${@:2}" ;;
   both)
     scripts/sanitize.sh asan
     scripts/sanitize.sh tsan

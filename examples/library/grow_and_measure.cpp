@@ -14,10 +14,10 @@
 #include "analysis/migration.h"
 #include "analysis/morphometry.h"
 #include "core/errors.h"
-#include "io/checkpoint.h"
-#include "io/config_file.h"
-#include "io/heightmap.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/checkpoint.h"
+#include "io/checkpoint/start_simulation.h"
+#include "io/config/config_file.h"
+#include "io/formats/heightmap.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "analysis/morphometry.h"
-#include "io/picture.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
+#include "io/formats/picture.h"
 #include "water_table.h"
 
 namespace {

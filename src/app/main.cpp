@@ -3,13 +3,16 @@
 #include <iostream>
 #include <string>
 
-#include "app/command.h"
-#include "app/options.h"
-#include "app/standard_streams.h"
-#include "app/tell.h"
+#include "app/bench/bench_command.h"
+#include "app/cli/command.h"
+#include "app/cli/options.h"
+#include "app/cli/standard_streams.h"
+#include "app/cli/tell.h"
+#include "app/gui/gui_command.h"
+#include "app/validate/validate_command.h"
 #include "core/errors.h"
-#include "io/atomic_file.h"
-#include "io/provenance.h"
+#include "io/config/provenance.h"
+#include "io/files/atomic_file.h"
 
 namespace erg {
 namespace {

@@ -4,8 +4,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/allowance.h"
 #include "core/errors.h"
+#include "process/allowance.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>

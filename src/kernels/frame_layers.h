@@ -8,8 +8,8 @@
 
 #include "compute/backend.h"
 #include "core/grid.h"
+#include "forcing/wind_frame.h"
 #include "kernels/layer_kernels.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

@@ -1,6 +1,6 @@
 #include "kernels/terrain_order.h"
 
-#include "wind/wind_frame.h"
+#include "forcing/wind_frame.h"
 
 namespace erg {
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/parameters.h"
+#include "forcing/regime.h"
+#include "forcing/wind_frame.h"
 #include "transport/grain_cell.h"
-#include "wind/regime.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

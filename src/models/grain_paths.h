@@ -6,8 +6,8 @@
 
 #include "core/grain_path.h"
 #include "core/terrain.h"
+#include "forcing/wind_frame.h"
 #include "transport/grain_cell.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

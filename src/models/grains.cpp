@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "core/units.h"
+#include "forcing/shadow.h"
 #include "models/grain_law.h"
 #include "models/grain_paths.h"
 #include "models/plant_wakes.h"
 #include "transport/grain_bed_cell.h"
-#include "wind/shadow.h"
 
 namespace erg {
 namespace {

@@ -19,9 +19,9 @@
 #include <memory>
 #include <vector>
 
+#include "forcing/wind_frame.h"
 #include "models/model.h"
 #include "transport/grain_solver.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

@@ -14,9 +14,9 @@
 #include "core/parameters.h"
 #include "core/random.h"
 #include "core/terrain.h"
+#include "forcing/regime.h"
 #include "models/model_start.h"
 #include "transport/step_report.h"
-#include "wind/regime.h"
 
 namespace erg {
 

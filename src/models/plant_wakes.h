@@ -5,7 +5,7 @@
 
 #include "core/parameters.h"
 #include "core/terrain.h"
-#include "wind/wind_frame.h"
+#include "forcing/wind_frame.h"
 
 namespace erg {
 

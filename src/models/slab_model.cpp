@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/units.h"
-#include "wind/shadow.h"
+#include "forcing/shadow.h"
 
 namespace erg {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "core/constants.h"
 #include "core/units.h"
+#include "forcing/shadow.h"
 #include "models/model.h"
 #include "transport/snow_solver.h"
-#include "wind/shadow.h"
 
 namespace erg {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/camera.h"
+#include "picture/camera.h"
 
 namespace erg {
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "core/errors.h"
-#include "core/marks.h"
 #include "core/surface_range.h"
+#include "picture/marks.h"
 
 namespace erg {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/palette.h"
+#include "picture/palette.h"
 #include "render/terrain_view.h"
 
 namespace erg {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/label.h"
-#include "core/marks.h"
 #include "core/units.h"
+#include "picture/label.h"
+#include "picture/marks.h"
 
 namespace erg {
 namespace {

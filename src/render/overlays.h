@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/image.h"
+#include "picture/image.h"
 #include "render/camera.h"
 #include "render/look.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image.h"
+#include "picture/image.h"
 #include "render/camera.h"
 #include "render/effort.h"
 #include "render/look.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "core/program_files.h"
+#include "process/program_files.h"
 
 namespace erg {
 namespace {

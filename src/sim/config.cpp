@@ -5,8 +5,8 @@
 
 #include "compute/executor.h"
 #include "core/joined.h"
+#include "forcing/bearing.h"
 #include "models/model.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

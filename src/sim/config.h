@@ -6,9 +6,9 @@
 
 #include "core/parameters.h"
 #include "core/terrain.h"
+#include "forcing/regime.h"
+#include "forcing/temperature.h"
 #include "models/model_start.h"
-#include "wind/regime.h"
-#include "wind/temperature.h"
 
 namespace erg {
 

@@ -1,9 +1,9 @@
 // Every executor by name: here back ends meet the models' kernels.
 #include <algorithm>
 
-#include "core/allowance.h"
 #include "core/errors.h"
 #include "cuda/cuda_backend.h"
+#include "process/allowance.h"
 #include "sim/cuda_entries.h"
 
 namespace erg {

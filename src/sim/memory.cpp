@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <new>
 
-#include "core/allowance.h"
 #include "models/model.h"
+#include "process/allowance.h"
 
 namespace erg {
 namespace {

@@ -14,7 +14,7 @@ namespace erg {
 /// keeps. What does not grow with the grid is left out. tests/cli/trust_test.cpp holds it against what runs take.
 std::uint64_t memory_of_run(const Config& config);
 
-/// Bytes that this process may still take (core/allowance.h).
+/// Bytes that this process may still take (process/allowance.h).
 std::uint64_t free_memory();
 
 /// "2.3 GiB", "310 MiB".

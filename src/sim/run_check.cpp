@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forcing/bearing.h"
 #include "models/model.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/units.h"
-#include "wind/mean_wind.h"
+#include "forcing/mean_wind.h"
 
 namespace erg {
 namespace {

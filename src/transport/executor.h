@@ -2,6 +2,6 @@
 #pragma once
 
 #include "compute/executor.h"
+#include "forcing/regime.h"
 #include "transport/step_report.h"
 #include "transport/terrain_heights.h"
-#include "wind/regime.h"

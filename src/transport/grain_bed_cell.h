@@ -118,7 +118,7 @@ struct ShadowLine {
   float near = no_shadow;
 };
 
-/// Follows a line along the wind from row `from` to before `end`, as shadow_map in wind/shadow.h does, and notes the
+/// Follows a line along the wind from row `from` to before `end`, as shadow_map in forcing/shadow.h does, and notes the
 /// height of the shadow line over each cell if `notes`. Each line meets a cell once, so lines may be followed side by
 /// side. `start`: the row in which all lines begin.
 ERG_CELL_RULE void follow_shadow(const BedPlanes& bed, int line, int start, int from, int end, bool notes,

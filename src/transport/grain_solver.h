@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "compute/executor.h"
+#include "forcing/regime.h"
+#include "forcing/wind_frame.h"
 #include "kernels/frame_layers.h"
 #include "transport/grain_plan.h"
 #include "transport/grain_step.h"
-#include "wind/regime.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

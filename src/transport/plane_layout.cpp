@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "wind/wind_frame.h"
+#include "forcing/wind_frame.h"
 
 namespace erg {
 

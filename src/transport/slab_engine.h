@@ -15,6 +15,7 @@
 
 #include "compute/aligned_vector.h"
 #include "compute/thread_pool.h"
+#include "forcing/wind_frame.h"
 #include "transport/slab_step.h"
 #include "transport/sweep.h"
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "forcing/wind_frame.h"
 #include "transport/slab_step.h"
 
 namespace erg {

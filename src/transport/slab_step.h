@@ -7,10 +7,10 @@
 #include "compute/executor.h"
 #include "core/random.h"
 #include "core/terrain.h"
+#include "forcing/regime.h"
+#include "forcing/wind_frame.h"
 #include "transport/slab_law.h"
 #include "transport/step_report.h"
-#include "wind/regime.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

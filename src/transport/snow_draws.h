@@ -7,8 +7,8 @@
 
 #include "core/random.h"
 #include "core/terrain.h"
+#include "forcing/wind_frame.h"
 #include "transport/snow_flight_cell.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

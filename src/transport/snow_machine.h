@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "core/terrain.h"
+#include "forcing/wind_frame.h"
 #include "transport/executor.h"
 #include "transport/snow_cell.h"
 #include "transport/snow_flights.h"
 #include "transport/snow_ground.h"
 #include "transport/snow_step.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "forcing/wind_frame.h"
 #include "transport/snow_draws.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

@@ -5,10 +5,10 @@
 #include "compute/executor.h"
 #include "core/random.h"
 #include "core/terrain.h"
+#include "forcing/regime.h"
+#include "forcing/wind_frame.h"
 #include "transport/snow_step.h"
 #include "transport/step_report.h"
-#include "wind/regime.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

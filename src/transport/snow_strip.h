@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/terrain.h"
+#include "forcing/wind_frame.h"
 #include "transport/aligned_vector.h"
 #include "transport/snow_places.h"
 #include "transport/snow_sweep.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 

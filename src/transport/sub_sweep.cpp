@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "forcing/wind_frame.h"
 #include "transport/fixed_point.h"
 #include "transport/slab_law.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 namespace {

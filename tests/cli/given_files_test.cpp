@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "../unit/png_bytes.h"
-#include "io/png_reader.h"
+#include "io/formats/png_reader.h"
 #include "program.h"
 
 namespace erg::test {

@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "../unit/limits.h"
-#include "io/checkpoint.h"
-#include "io/config_file.h"
+#include "io/checkpoint/checkpoint.h"
+#include "io/config/config_file.h"
 #include "program.h"
 
 namespace erg::test {

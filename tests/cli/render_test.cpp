@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "io/png.h"
-#include "io/png_reader.h"
+#include "io/formats/png.h"
+#include "io/formats/png_reader.h"
 #include "program.h"
 
 namespace erg::test {

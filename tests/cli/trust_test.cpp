@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "../unit/limits.h"
-#include "io/checkpoint.h"
-#include "io/config_file.h"
-#include "io/png_reader.h"
+#include "io/checkpoint/checkpoint.h"
+#include "io/config/config_file.h"
+#include "io/formats/png_reader.h"
 #include "program.h"
 #include "sim/memory.h"
 

@@ -8,9 +8,9 @@ mv "$first" "$3"
 
 for there in bin/erg share/erg/shaders share/erg/cfg/barchans.json share/erg/cfg/gallery/barchans.jpg \
   share/erg/README.md share/erg/LICENSE share/erg/CHANGELOG.md share/erg/docs/guide.md share/erg/docs/images \
-  share/erg/examples/CMakeLists.txt include/erg/sim/simulation.h; do
+  share/erg/examples/CMakeLists.txt include/erg/sim/simulation.h include/erg/io/checkpoint/checkpoint.h; do
   [ -e "$3/$there" ] || { echo "$there is not installed"; exit 1; }
 done
-for name in ErgConfig.cmake ErgConfigVersion.cmake ErgTargets.cmake liberg_io.a; do
+for name in ErgConfig.cmake ErgConfigVersion.cmake ErgTargets.cmake liberg_io_checkpoint.a; do
   find "$3" -name "$name" | grep -q . || { echo "$name is not installed"; exit 1; }
 done

@@ -10,10 +10,10 @@
 
 #include "analysis/migration.h"
 #include "compute/executor.h"
+#include "forcing/bearing.h"
+#include "forcing/wind_frame.h"
 #include "models/grain_law.h"
 #include "models/grains.h"
-#include "wind/bearing.h"
-#include "wind/wind_frame.h"
 #include "world.h"
 
 namespace erg::test {

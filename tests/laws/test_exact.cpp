@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "forcing/shadow.h"
+#include "forcing/wind_frame.h"
 #include "transport/slab_law.h"
-#include "wind/shadow.h"
-#include "wind/wind_frame.h"
 #include "world.h"
 
 namespace erg::test {

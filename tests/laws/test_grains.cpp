@@ -7,10 +7,10 @@
 #include "analysis/crests.h"
 #include "analysis/morphometry.h"
 #include "analysis/spectrum.h"
+#include "forcing/shadow.h"
 #include "grain_world.h"
 #include "sim/scene.h"
 #include "sim/simulation.h"
-#include "wind/shadow.h"
 
 namespace erg::test {
 namespace {

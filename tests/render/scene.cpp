@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "io/png_reader.h"
+#include "io/formats/png_reader.h"
 
 namespace erg::test {
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "core/image.h"
 #include "core/random.h"
 #include "core/terrain.h"
+#include "picture/image.h"
 #include "render/gl_context.h"
 #include "render/terrain_view.h"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 
-#include "io/config_file.h"
-#include "io/preset_list.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
+#include "io/config/config_file.h"
+#include "io/config/preset_list.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "scene.h"

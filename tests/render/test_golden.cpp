@@ -6,13 +6,14 @@
 #include <functional>
 
 #include "compute/executor.h"
+#include "forcing/shadow.h"
+#include "io/formats/png.h"
 #include "io/png.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "scene.h"
 #include "sim/flux_watch.h"
-#include "wind/shadow.h"
 
 namespace erg::test {
 namespace {

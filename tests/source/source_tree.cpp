@@ -44,12 +44,16 @@ const std::map<std::string, std::vector<std::string>>& source_tree() {
   return tree;
 }
 
-std::string layer_of(const std::string& path) { return path.substr(0, path.find('/')); }
+std::string layer_of(const std::string& path) {
+  std::string folder = path.substr(0, path.rfind('/'));
+  while (!arrows().contains(folder) && folder.find('/') != std::string::npos) folder.resize(folder.rfind('/'));
+  return folder;
+}
 
 const std::map<std::string, std::set<std::string>>& arrows() {
   static const std::map<std::string, std::set<std::string>> all = [] {
     std::map<std::string, std::set<std::string>> read;
-    std::istringstream noted(ERG_ARROWS);  // "core: wind:core sim:models,executors"
+    std::istringstream noted(ERG_ARROWS);  // "core: io/files:core sim:models,executors"
     for (std::string word; noted >> word;) {
       const std::size_t colon = word.find(':');
       std::set<std::string>& links = read[word.substr(0, colon)];

@@ -24,13 +24,33 @@ TEST(Layers, NoIncludeRunsUp) {
   }
 }
 
+TEST(Layers, AFileLiesInTheInnermostLayerAroundIt) {
+  EXPECT_EQ(layer_of("io/files/given_file.h"), "io/files");
+  EXPECT_EQ(layer_of("render/without/osmesa_context.cpp"), "render");
+}
+
 TEST(Layers, AnIncludeThatRunsUpOrAcrossIsSeen) {
-  EXPECT_TRUE(runs_up("core/grid.h", "wind/regime.h"));
+  EXPECT_TRUE(runs_up("core/grid.h", "forcing/regime.h"));
   EXPECT_TRUE(runs_up("models/model.h", "sim/config.h"));
-  EXPECT_TRUE(runs_up("analysis/fourier.h", "wind/shadow.h")) << "beside, not below";
-  EXPECT_TRUE(runs_up("render/camera.h", "io/png.h"));
-  EXPECT_FALSE(runs_up("wind/regime.h", "core/grid.h"));
-  EXPECT_FALSE(runs_up("app/bench.h", "core/grid.h"));
+  EXPECT_TRUE(runs_up("analysis/fourier.h", "forcing/shadow.h")) << "beside, not below";
+  EXPECT_TRUE(runs_up("render/camera.h", "io/formats/png.h"));
+  EXPECT_TRUE(runs_up("io/files/given_file.h", "io/config/config_file.h")) << "between the folders of a folder too";
+  EXPECT_FALSE(runs_up("io/config/config_file.h", "io/files/given_file.h"));
+  EXPECT_FALSE(runs_up("forcing/regime.h", "core/grid.h"));
+  EXPECT_FALSE(runs_up("app/bench/bench.h", "core/grid.h"));
+}
+
+// No other folder than the window's could be built without a screen.
+TEST(Layers, OnlyTheWindowKnowsFreeglutAndX) {
+  int found = 0;
+  for (const auto& [path, includes] : source_tree()) {
+    const std::string text = read_text(source_root() / "src" / path);
+    if (text.find("#include <GL/freeglut") == std::string::npos && text.find("#include <X11/") == std::string::npos)
+      continue;
+    ++found;
+    EXPECT_EQ(layer_of(path), "ui/window") << path;
+  }
+  EXPECT_GT(found, 1);
 }
 
 // The row of a layer in the table of docs/architecture.md: | `layer` | what it holds | what it links |
@@ -43,7 +63,7 @@ std::set<std::string> links_on_the_page(const std::string& page, const std::stri
   std::set<std::string> names;
   std::string name;
   for (const char letter : line.substr(begin + 1, end - begin - 1) + ",") {
-    if (letter >= 'a' && letter <= 'z') {
+    if ((letter >= 'a' && letter <= 'z') || letter == '/') {
       name += letter;
     } else if (!name.empty() && letter == ',') {
       names.insert(std::exchange(name, ""));

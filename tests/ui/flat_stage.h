@@ -4,7 +4,7 @@
 #include <new>
 #include <vector>
 
-#include "ui/shell.h"
+#include "ui/window/shell.h"
 
 namespace erg::test {
 

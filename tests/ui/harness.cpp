@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "io/png.h"
+#include "io/formats/png.h"
 #include "picture_of_gui.h"
 
 namespace erg::test {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "ui/gui.h"
+#include "ui/widgets/gui.h"
 
 namespace erg::test {
 
@@ -36,7 +36,7 @@ class UiHarness {
   void scroll(float lines);
   /// Types characters.
   void type(const std::string& text);
-  /// Presses and releases a key, by its place (ui/gui.h: keys).
+  /// Presses and releases a key, by its place (ui/widgets/gui.h: keys).
   void key(int place);
   /// The same for a key that is named by its character, with Ctrl held or not.
   void shortcut(char letter, bool ctrl = true);

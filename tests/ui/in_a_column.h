@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "harness.h"
-#include "ui/widgets.h"
+#include "ui/widgets/widgets.h"
 
 namespace erg::test {
 

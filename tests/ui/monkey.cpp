@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "ui/gui.h"
+#include "ui/widgets/gui.h"
 
 namespace erg::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "panel_hand.h"
 
-#include "ui/widgets.h"
+#include "ui/widgets/widgets.h"
 
 namespace erg::test {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "../unit/temporary_folder.h"
 #include "harness.h"
-#include "studio/studio.h"
-#include "ui/panels.h"
+#include "session/studio.h"
+#include "ui/panels/panels.h"
 
 namespace erg::test {
 

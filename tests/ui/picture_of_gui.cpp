@@ -2,7 +2,7 @@
 
 #include "render/gl_context.h"
 #include "render/textures.h"
-#include "ui/gui_renderer.h"
+#include "ui/window/gui_renderer.h"
 
 namespace erg::test {
 

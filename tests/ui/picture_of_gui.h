@@ -1,8 +1,8 @@
 // A picture of the interface, drawn off the screen.
 #pragma once
 
-#include "core/image.h"
-#include "ui/gui.h"
+#include "picture/image.h"
+#include "ui/widgets/gui.h"
 
 namespace erg::test {
 

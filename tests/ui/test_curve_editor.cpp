@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "in_a_column.h"
-#include "ui/curve_editor.h"
+#include "ui/widgets/curve_editor.h"
 
 namespace erg::test {
 namespace {

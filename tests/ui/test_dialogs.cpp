@@ -1,7 +1,7 @@
 // The dialogs by hand: gallery, files, export, log, recovery.
 #include <gtest/gtest.h>
 
-#include "io/config_file.h"
+#include "io/config/config_file.h"
 #include "panel_hand.h"
 
 namespace erg::test {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "harness.h"
-#include "ui/fonts.h"
+#include "ui/widgets/fonts.h"
 
 namespace erg::test {
 namespace {

@@ -1,8 +1,8 @@
 // Shortcuts on the keyboards of other countries. Symbols are written as X's headers have them.
 #include <gtest/gtest.h>
 
-#include "ui/gui.h"
-#include "ui/key_place.h"
+#include "ui/widgets/gui.h"
+#include "ui/window/key_place.h"
 
 // Last: its macros are plain words.
 #include <X11/keysym.h>

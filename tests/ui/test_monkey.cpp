@@ -6,7 +6,7 @@
 #include "../unit/temporary_folder.h"
 #include "flat_stage.h"
 #include "harness.h"
-#include "io/config_file.h"
+#include "io/config/config_file.h"
 #include "models/model.h"
 #include "monkey.h"
 #include "panel_hand.h"

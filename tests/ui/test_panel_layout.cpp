@@ -8,11 +8,11 @@
 #include <cstdlib>
 
 #include "flat_stage.h"
-#include "io/png.h"
+#include "io/formats/png.h"
 #include "panel_hand.h"
 #include "picture_of_gui.h"
-#include "ui/look_panel.h"
-#include "ui/picture_panel.h"
+#include "ui/land/look_panel.h"
+#include "ui/window/picture_panel.h"
 
 namespace erg::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "in_a_column.h"
-#include "ui/plot.h"
+#include "ui/widgets/plot.h"
 
 namespace erg::test {
 namespace {

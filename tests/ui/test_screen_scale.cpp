@@ -1,7 +1,7 @@
 // How large the interface is made on which screen.
 #include <gtest/gtest.h>
 
-#include "ui/screen_scale.h"
+#include "ui/window/screen_scale.h"
 
 namespace erg::test {
 namespace {

@@ -4,12 +4,12 @@
 #include <optional>
 #include <thread>
 
-#include "../studio/torn_session.h"
-#include "io/camera_file.h"
-#include "io/config_file.h"
+#include "../session/torn_session.h"
+#include "io/config/config_file.h"
+#include "io/formats/camera_file.h"
 #include "shell_hand.h"
-#include "ui/look_panel.h"
-#include "ui/picture_panel.h"
+#include "ui/land/look_panel.h"
+#include "ui/window/picture_panel.h"
 
 namespace erg::test {
 namespace {

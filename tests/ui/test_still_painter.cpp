@@ -5,13 +5,13 @@
 #include <set>
 #include <thread>
 
-#include "../studio/snapshot_of.h"
+#include "../session/snapshot_of.h"
 #include "panel_hand.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "render/textures.h"
-#include "ui/land_view.h"
-#include "ui/still_painter.h"
+#include "ui/land/land_view.h"
+#include "ui/land/still_painter.h"
 
 namespace erg::test {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "harness.h"
-#include "ui/typed_number.h"
-#include "ui/widgets.h"
+#include "ui/widgets/typed_number.h"
+#include "ui/widgets/widgets.h"
 
 namespace erg::test {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "harness.h"
-#include "ui/widgets.h"
+#include "ui/widgets/widgets.h"
 
 namespace erg::test {
 namespace {

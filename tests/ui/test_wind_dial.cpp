@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "in_a_column.h"
-#include "ui/wind_dial.h"
+#include "ui/widgets/wind_dial.h"
 
 namespace erg::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/allowance.h"
+#include "process/allowance.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>

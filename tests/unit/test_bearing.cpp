@@ -1,4 +1,4 @@
-#include "wind/bearing.h"
+#include "forcing/bearing.h"
 
 #include <gtest/gtest.h>
 

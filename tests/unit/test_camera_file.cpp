@@ -1,4 +1,4 @@
-#include "io/camera_file.h"
+#include "io/formats/camera_file.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "io/config_file.h"
+#include "io/config/config_file.h"
 #include "message.h"
 #include "models/model.h"
 

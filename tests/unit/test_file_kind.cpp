@@ -1,9 +1,9 @@
 // What is given in place of a PNG is known by its content, and the message says what makes a PNG of it.
-#include "io/file_kind.h"
+#include "io/files/file_kind.h"
 
 #include <gtest/gtest.h>
 
-#include "io/heightmap.h"
+#include "io/formats/heightmap.h"
 #include "message.h"
 #include "temporary_folder.h"
 

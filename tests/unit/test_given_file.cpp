@@ -1,13 +1,13 @@
 // Files as people give them: in other encodings, under names a little off, behind links.
-#include "io/given_file.h"
+#include "io/files/given_file.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <vector>
 
-#include "io/config_file.h"
-#include "io/text_encoding.h"
+#include "io/config/config_file.h"
+#include "io/files/text_encoding.h"
 #include "message.h"
 #include "temporary_folder.h"
 

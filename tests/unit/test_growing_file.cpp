@@ -1,9 +1,9 @@
-#include "io/growing_file.h"
+#include "io/files/growing_file.h"
 
 #include <gtest/gtest.h>
 
-#include "io/atomic_file.h"
-#include "io/table.h"
+#include "io/files/atomic_file.h"
+#include "io/formats/table.h"
 #include "message.h"
 #include "temporary_folder.h"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/config_file.h"
-#include "io/heightmap.h"
-#include "io/start_simulation.h"
+#include "io/checkpoint/start_simulation.h"
+#include "io/config/config_file.h"
+#include "io/formats/heightmap.h"
 #include "limits.h"
 #include "message.h"
 #include "png_bytes.h"

@@ -1,12 +1,12 @@
-#include "io/heightmap.h"
+#include "io/formats/heightmap.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/errors.h"
-#include "io/png.h"
-#include "io/png_reader.h"
+#include "io/formats/png.h"
+#include "io/formats/png_reader.h"
 #include "temporary_folder.h"
 
 namespace erg {

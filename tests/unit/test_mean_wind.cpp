@@ -1,4 +1,4 @@
-#include "wind/mean_wind.h"
+#include "forcing/mean_wind.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Meshes: read back by hand, and held against the terrain.
-#include "io/mesh.h"
+#include "io/formats/mesh.h"
 
 #include <gtest/gtest.h>
 

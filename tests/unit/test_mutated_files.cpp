@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "io/camera_file.h"
-#include "io/checkpoint.h"
-#include "io/config_file.h"
-#include "io/heightmap.h"
-#include "io/png.h"
-#include "io/png_reader.h"
+#include "io/checkpoint/checkpoint.h"
+#include "io/config/config_file.h"
+#include "io/formats/camera_file.h"
+#include "io/formats/heightmap.h"
+#include "io/formats/png.h"
+#include "io/formats/png_reader.h"
 #include "message.h"
 #include "mutated.h"
 #include "png_bytes.h"

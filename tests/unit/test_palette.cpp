@@ -1,4 +1,4 @@
-#include "core/palette.h"
+#include "picture/palette.h"
 
 #include <gtest/gtest.h>
 

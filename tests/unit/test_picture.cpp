@@ -1,4 +1,4 @@
-#include "io/picture.h"
+#include "io/formats/picture.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "core/errors.h"
-#include "core/label.h"
-#include "core/marks.h"
-#include "io/legend.h"
-#include "io/png_reader.h"
+#include "io/formats/legend.h"
+#include "io/formats/png_reader.h"
+#include "picture/label.h"
+#include "picture/marks.h"
 #include "temporary_folder.h"
 
 namespace erg {

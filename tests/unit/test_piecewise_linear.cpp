@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/parameters.h"
-#include "io/config_file.h"
+#include "io/config/config_file.h"
 #include "models/model.h"
 
 namespace erg {

@@ -4,7 +4,7 @@
 #include <set>
 #include <tuple>
 
-#include "io/config_file.h"
+#include "io/config/config_file.h"
 
 namespace erg {
 namespace {

@@ -1,15 +1,15 @@
-#include "io/provenance.h"
+#include "io/config/provenance.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "io/config_file.h"
-#include "io/heightmap.h"
-#include "io/mesh.h"
-#include "io/png.h"
-#include "io/table.h"
-#include "io/vti.h"
+#include "io/config/config_file.h"
+#include "io/formats/heightmap.h"
+#include "io/formats/mesh.h"
+#include "io/formats/png.h"
+#include "io/formats/table.h"
+#include "io/formats/vti.h"
 #include "temporary_folder.h"
 
 namespace erg {

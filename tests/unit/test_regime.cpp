@@ -1,4 +1,4 @@
-#include "wind/regime.h"
+#include "forcing/regime.h"
 
 #include <gtest/gtest.h>
 

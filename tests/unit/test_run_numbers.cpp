@@ -1,5 +1,5 @@
 // The numbers of a run over time.
-#include "io/run_numbers.h"
+#include "io/formats/run_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "wind/shadow.h"
+#include "forcing/shadow.h"
 
 #include <gtest/gtest.h>
 

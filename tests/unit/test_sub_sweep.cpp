@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/grid.h"
+#include "forcing/wind_frame.h"
 #include "transport/slab_cell.h"
 #include "transport/slab_law.h"
-#include "wind/wind_frame.h"
 
 namespace erg {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/table.h"
+#include "io/formats/table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/vti.h"
+#include "io/formats/vti.h"
 
 #include <gtest/gtest.h>
 

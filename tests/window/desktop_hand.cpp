@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "io/config_file.h"
+#include "io/config/config_file.h"
 
 namespace erg::test {
 namespace {

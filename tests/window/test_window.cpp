@@ -8,8 +8,8 @@
 #include "../render/scene.h"
 #include "../unit/temporary_folder.h"
 #include "desktop_hand.h"
-#include "io/camera_file.h"
-#include "io/config_file.h"
+#include "io/config/config_file.h"
+#include "io/formats/camera_file.h"
 
 // Last: its macros are plain words.
 #include <X11/Xlib.h>

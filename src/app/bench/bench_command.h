@@ -1,0 +1,11 @@
+// `erg bench`.
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace erg {
+
+/// Adds the command to `program`; when it is named, `action` is set.
+void add_bench_command(CLI::App& program, Action& action);
+
+}  // namespace erg

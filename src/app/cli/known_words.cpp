@@ -1,0 +1,18 @@
+#include "app/cli/known_words.h"
+
+#include <algorithm>
+
+#include "core/errors.h"
+#include "core/joined.h"
+
+namespace erg {
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto check = [words](std::string& word) -> std::string {
+    if (std::ranges::find(words, word) != words.end()) return "";
+    return in_quotes(word) + " is none of these; " + suggestion(word, words);
+  };
+  return {check, "{" + joined(words, ",") + "}", "one of a few words"};
+}
+
+}  // namespace erg

@@ -1,0 +1,11 @@
+// `erg validate`.
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace erg {
+
+/// Adds the command to `program`; when it is named, `action` is set.
+void add_validate_command(CLI::App& program, Action& action);
+
+}  // namespace erg

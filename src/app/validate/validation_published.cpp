@@ -1,0 +1,102 @@
+// Published maxima, and the identities that are algebra.
+#include <cmath>
+
+#include "app/cli/text_table.h"
+#include "app/validate/sample.h"
+#include "app/validate/validation.h"
+#include "core/units.h"
+#include "forcing/shadow.h"
+
+namespace erg {
+namespace {
+
+/// A row of print: one run of one program. Its settings stand in tables 6.1 to 6.7 of Cimbura 2022 and the text beside
+/// them, its height in the captions of figures 6.1 to 6.13.
+struct PublishedScene {
+  const char* preset;  ///< in cfg/thesis/
+  int max_slabs;       ///< 0: not printed
+  bool large;          ///< left out by --quick
+};
+
+constexpr PublishedScene published_scenes[] = {
+    {"werner_barchans", 26, false}, {"werner_transverse", 28, false}, {"werner_star", 23, false},
+    {"werner_linear", 0, false},    {"momiji_barchans", 26, false},   {"momiji_transverse", 34, true},
+    {"momiji_star", 22, false},     {"bishop_barchans", 28, false},   {"momiji_barchans_1024", 29, true},
+    {"momiji_rocks", 0, true},      {"nield_nebkhas", 58, false},     {"nield_parabolic", 85, true},
+    {"nield_blowouts", 76, true},   {"nield_islands", 57, false},     {"snow_ripples", 0, false},
+};
+
+std::string deviation_text(double value, double reference) {
+  return fixed_text((value / reference - 1) * 100, 0) + "%";
+}
+
+struct Identity {
+  std::string what;
+  double exact;
+  double measured;
+};
+
+/// One step on a flat bed of sand on which every cell is polled once and nothing lies in shadow.
+Identity flat_bed(const char* what, const char* chance, double exact) {
+  Config config("werner");
+  for (const std::string& assignment :
+       {std::string("scene.kind=flat"), std::string("scene.sand=50"), std::string("parameters.polling=nonrepeated"),
+        std::string("parameters.shadow_angle=80"), std::string("parameters.p_sand=") + chance}) {
+    set_from_text(config, assignment);
+  }
+  Simulation simulation(config);
+  const StepReport report = simulation.step();
+  return {what, exact, report.travel / static_cast<double>(report.lifts)};
+}
+
+}  // namespace
+
+std::vector<std::string> published_presets() {
+  std::vector<std::string> presets;
+  for (const PublishedScene& scene : published_scenes) presets.push_back(scene.preset);
+  return presets;
+}
+
+std::string published_section(const ValidationOptions& options) {
+  const int seeds = options.quick ? 1 : 3;
+  TextTable table;
+  table.heading = {"scene", "in print", "serial", "deviation", "cpu", "deviation"};
+  for (const PublishedScene& scene : published_scenes) {
+    if (!options.scene.empty() ? options.scene != scene.preset : options.quick && scene.large) continue;
+    const Config config = thesis_config(scene.preset);
+    std::vector<std::string> row{config.title, scene.max_slabs > 0 ? std::to_string(scene.max_slabs) : "-"};
+    for (const char* executor : {"serial", "cpu"}) {
+      const Sample highest =
+          sample_of(run_seeds(config, executor, seeds), [](const SeedRun& run) { return run.end.shape.max_slabs; });
+      row.push_back(highest.text(1));
+      row.push_back(scene.max_slabs > 0 ? deviation_text(highest.mean(), scene.max_slabs) : "-");
+    }
+    table.rows.push_back(row);
+  }
+  return "## Thickest column, in slabs, beside print\n\nPrinted figures: one run each of another program (Cimbura "
+         "2022, captions of figures 6.1 to 6.13; settings from tables 6.1 to 6.7 and the text beside them; -: no "
+         "height "
+         "is printed). Ours: mean over " +
+         count_text(seeds, "seed") + ", spread over the seeds in brackets.\n\n" + table.markdown();
+}
+
+std::string identities_section() {
+  const Identity identities[] = {
+      flat_bed("mean travel of a slab on flat sand, L 5, p_s .6: 5/.6 cells (so 8.33 slabs pass a cell a step)", "0.6",
+               5 / 0.6),
+      flat_bed("mean travel with the chance of bare ground, .4: 5/.4 cells", "0.4", 5 / 0.4),
+      {"repose 33.69 deg, slab 1/3 of a cell: step in slabs", 2, double(standing_step(33.69, 1.0, 1.0 / 3))},
+      {"shadow line of 15 deg, slab 1/3 of a cell: fall in slabs a cell", 3 * std::tan(radians(15)),
+       shadow_fall(15, 1.0, 1.0 / 3)},
+  };
+  TextTable table;
+  table.heading = {"what", "exact", "measured"};
+  for (const Identity& identity : identities) {
+    table.rows.push_back({identity.what, fixed_text(identity.exact, 3), fixed_text(identity.measured, 3)});
+  }
+  return "## Identities\n\nAlgebra says what these must be; the measured travel is a mean over 65536 slabs, so its "
+         "third digit is chance.\n\n" +
+         table.markdown();
+}
+
+}  // namespace erg

@@ -1,0 +1,124 @@
+#include "io/formats/table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "core/errors.h"
+#include "core/exact_text.h"
+#include "core/joined.h"
+#include "io/files/atomic_file.h"
+#include "io/formats/comments.h"
+#include "io/formats/table_head.h"
+
+namespace erg {
+namespace {
+
+/// Empty where the number is unknown.
+std::string cell_text(double value) { return std::isfinite(value) ? exact_text(value) : std::string(); }
+
+/// One line of the table.
+std::string row_text(std::span<const double> values, std::size_t columns) {
+  if (values.size() != columns) throw std::logic_error("a row of a table needs a value for each column");
+  std::string line;
+  for (std::size_t column = 0; column < columns; ++column) {
+    line += (column == 0 ? "" : ",") + cell_text(values[column]);
+  }
+  return line + "\n";
+}
+
+/// The first value of a row; not-a-number where the row is not whole.
+double first_value(const std::string& row, std::size_t columns) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (static_cast<std::size_t>(std::count(row.begin(), row.end(), ',')) + 1 != columns) return none;
+  double value = 0;
+  const auto result = std::from_chars(row.data(), row.data() + row.size(), value);
+  return result.ec == std::errc{} ? value : none;
+}
+
+/// A table without rows.
+std::string head_text(const std::vector<std::string>& columns, const Provenance& provenance) {
+  return comments("# ", provenance) + joined(columns, ",") + "\n";
+}
+
+/// What lies in a table so far.
+struct TableText {
+  std::vector<std::string> head;  ///< comment lines
+  std::string header;             ///< empty: none
+  std::vector<std::string> rows;  ///< whole lines
+};
+
+TableText read_table(const std::filesystem::path& path) {
+  TableText table;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (!table.header.empty()) {
+      if (!file.eof()) table.rows.push_back(line);  // a last line without its end was cut off, perhaps within a number
+    } else if (line.starts_with('#')) {
+      table.head.push_back(line);
+    } else {
+      table.header = line;
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
+                       const Provenance& provenance) {
+  std::string text = head_text(columns, provenance);
+  for (const std::vector<double>& row : rows) text += row_text(row, columns.size());
+  return text;
+}
+
+void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                 const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
+  keep_config_beside(path, provenance);
+  write_file_atomically(path, table_text(columns, rows, provenance));
+}
+
+TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : file_(path), columns_(columns) {}
+
+TableFile::TableFile(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                     const Provenance& provenance)
+    : TableFile(path, columns.size()) {
+  file_.replace(head_text(columns, provenance));
+  keep_config_beside(path, provenance);
+}
+
+TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::string> columns,
+                            const Provenance& provenance, double first_step) {
+  TableFile table(path, columns.size());
+  const TableText old = read_table(path);
+  std::string kept = head_text(columns, provenance);
+  if (!old.header.empty()) {
+    if (old.header != joined(columns, ",")) {
+      throw InputError(path.string(), "holds other columns than this run writes", "name another folder or remove it");
+    }
+    if (const std::string why = why_another_run(old.head, provenance, path.parent_path()); !why.empty()) {
+      throw InputError(path.string(), "holds the rows of another run: " + why, "name another folder with --out");
+    }
+    kept = joined(old.head, "\n") + "\n" + old.header + "\n";
+    if (old.head.empty()) kept = old.header + "\n";
+    for (const std::string& row : old.rows) {
+      const double step = first_value(row, columns.size());
+      if (!(step < first_step)) continue;
+      table.last_ = step;
+      kept += row + "\n";
+    }
+  }
+  table.file_.replace(kept);
+  keep_config_beside(path, provenance);
+  return table;
+}
+
+void TableFile::add(std::span<const double> values) {
+  file_.append(row_text(values, columns_));
+  last_ = values.front();
+}
+
+}  // namespace erg

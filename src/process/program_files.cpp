@@ -1,0 +1,13 @@
+#include "process/program_files.h"
+
+#include <system_error>
+
+namespace erg {
+
+std::filesystem::path program_folder(const std::string& name) {
+  std::error_code failed;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
+  return (program.parent_path() / ".." / "share" / "erg" / name).lexically_normal();
+}
+
+}  // namespace erg

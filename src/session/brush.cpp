@@ -1,0 +1,125 @@
+#include "session/brush.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/errors.h"
+#include "core/exact_text.h"
+#include "transport/terrain_heights.h"
+
+namespace erg {
+namespace {
+
+/// A cell that the dab touches, and how much of its amount that cell gets, 0 to 1.
+struct Touch {
+  std::size_t cell = 0;
+  double share = 0;
+};
+
+/// (1 - (d/r)^2)^2: 1 in the middle, level there and at the rim.
+double falloff(double squared_distance, double radius) {
+  const double rest = 1 - squared_distance / (radius * radius);
+  return rest > 0 ? rest * rest : 0;
+}
+
+/// First and last index of cells along one side that the dab may reach; on a torus each cell once.
+struct Reach {
+  int first = 0;
+  int last = 0;
+};
+
+Reach reach(double middle, double radius, int count, bool torus) {
+  const double nearest = std::clamp(middle, -2.0 * largest_side, 2.0 * largest_side);
+  Reach cells{static_cast<int>(std::floor(nearest - radius)), static_cast<int>(std::ceil(nearest + radius))};
+  if (!torus) return {std::max(cells.first, 0), std::min(cells.last, count - 1)};
+  if (cells.last - cells.first + 1 > count) {
+    cells.first = static_cast<int>(std::floor(nearest)) - count / 2;
+    cells.last = cells.first + count - 1;
+  }
+  return cells;
+}
+
+std::vector<Touch> touches(const Terrain& terrain, const Dab& dab) {
+  std::vector<Touch> found;
+  const bool torus = terrain.boundary() == Boundary::torus;
+  const Reach columns = reach(dab.x, dab.radius, terrain.nx(), torus);
+  const Reach rows = reach(dab.y, dab.radius, terrain.ny(), torus);
+  for (int y = rows.first; y <= rows.last; ++y) {
+    for (int x = columns.first; x <= columns.last; ++x) {
+      const double dx = x + 0.5 - dab.x;
+      const double dy = y + 0.5 - dab.y;
+      const double share = falloff(dx * dx + dy * dy, dab.radius);
+      if (share == 0) continue;
+      found.push_back({terrain.mobile().index(wrap(x, terrain.nx()), wrap(y, terrain.ny())), share});
+    }
+  }
+  return found;
+}
+
+void check(const Dab& dab) {
+  if (!(dab.radius >= smallest_brush && dab.radius <= largest_brush)) {
+    throw InputError("brush", "the radius is out of range",
+                     "give " + exact_text(smallest_brush) + " to " + exact_text(largest_brush) + " cells");
+  }
+  if (dab.material == BrushMaterial::field && !std::isfinite(dab.strength)) {
+    throw InputError("brush", "the strength is no number", "give one");
+  }
+  if (std::abs(static_cast<std::int64_t>(dab.amount)) > highest_terrain) {
+    throw InputError("brush", "the amount is out of range",
+                     "give at most " + std::to_string(highest_terrain) + " slabs");
+  }
+}
+
+bool apply_to_field(Terrain& terrain, const Dab& dab, const std::vector<Touch>& touched) {
+  const auto same_key = [&](const Field& field) { return field.info.key == dab.field; };
+  const auto place = std::ranges::find_if(terrain.fields(), same_key) - terrain.fields().begin();
+  if (place == static_cast<std::ptrdiff_t>(terrain.fields().size())) {
+    throw InputError("brush", "this model has no layer " + in_quotes(dab.field), "choose another");
+  }
+  Field& field = terrain.edit_fields()[static_cast<std::size_t>(place)];
+  bool changed = false;
+  for (const Touch& touch : touched) {
+    const double wanted = field.values[touch.cell] + dab.strength * touch.share;
+    const auto kept = static_cast<float>(std::clamp(wanted, field.info.minimum, field.info.maximum));
+    changed = changed || kept != field.values[touch.cell];
+    field.values[touch.cell] = kept;
+  }
+  return changed;
+}
+
+bool apply_to_ground(Terrain& terrain, const Dab& dab, const std::vector<Touch>& touched) {
+  const bool sand = dab.material == BrushMaterial::sand;
+  const Grid<std::int32_t>& before = sand ? terrain.mobile() : terrain.bedrock();
+  std::vector<std::int32_t> old(touched.size());
+  std::vector<std::int32_t> wanted(touched.size());
+  for (std::size_t i = 0; i < touched.size(); ++i) {
+    old[i] = before[touched[i].cell];
+    wanted[i] = old[i] + static_cast<std::int32_t>(std::lround(dab.amount * touched[i].share));
+    if (sand) wanted[i] = std::max(wanted[i], 0);
+  }
+  if (wanted == old) return false;
+  const auto write = [&](const std::vector<std::int32_t>& values) {
+    Grid<std::int32_t>& layer = sand ? terrain.edit_mobile() : terrain.edit_bedrock();
+    for (std::size_t i = 0; i < touched.size(); ++i) layer[touched[i].cell] = values[i];
+  };
+  write(wanted);
+  try {
+    check_height(terrain);
+  } catch (const InputError&) {
+    write(old);
+    throw;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool apply_dab(Terrain& terrain, const Dab& dab) {
+  check(dab);
+  const std::vector<Touch> touched = touches(terrain, dab);
+  return dab.material == BrushMaterial::field ? apply_to_field(terrain, dab, touched)
+                                              : apply_to_ground(terrain, dab, touched);
+}
+
+}  // namespace erg

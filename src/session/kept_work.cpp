@@ -1,0 +1,83 @@
+#include "session/kept_work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/errors.h"
+
+namespace erg {
+namespace {
+
+std::string name_of(const Config& config, std::size_t run, std::size_t runs) {
+  const std::string title = config.title.empty() ? "this run" : in_quotes(config.title);
+  return runs > 1 ? "run " + std::to_string(run + 1) + ", " + title + "," : title;
+}
+
+}  // namespace
+
+void KeptWork::start_from(const std::filesystem::path& file, Config config) {
+  files_.clear();
+  setup_saved(file, std::move(config));
+}
+
+void KeptWork::setup_saved(const std::filesystem::path& file, Config config) {
+  files_.insert_or_assign(file, std::move(config));
+}
+
+void KeptWork::land_saved(const Snapshot& snapshot, std::size_t run) {
+  if (creation_ != snapshot.creations) lands_.clear();
+  creation_ = snapshot.creations;
+  std::erase_if(lands_, [run](const Land& land) { return land.run == run; });
+  lands_.push_back({run, snapshot.runs[run].last_stroke, snapshot.seconds_worked});
+}
+
+void KeptWork::recovered(const Snapshot& snapshot) { recovered_creation_ = snapshot.creations; }
+
+bool KeptWork::has(const Config& config) const {
+  return std::ranges::any_of(files_, [&](const auto& file) { return file.second == config; });
+}
+
+const KeptWork::Land* KeptWork::kept_land(const Snapshot& snapshot, std::size_t run) const {
+  if (creation_ != snapshot.creations) return nullptr;
+  const auto found = std::ranges::find(lands_, run, &Land::run);
+  return found == lands_.end() ? nullptr : &*found;
+}
+
+/// "" when it is none, or kept.
+std::string KeptWork::why_land_is_work(const Snapshot& snapshot, std::size_t run) const {
+  const Land* const kept = kept_land(snapshot, run);
+  // After a reset the land has cost less than what was kept of the one before it.
+  const bool kept_this = kept != nullptr && kept->seconds_worked <= snapshot.seconds_worked;
+  const double worked = snapshot.seconds_worked - (kept_this ? kept->seconds_worked : 0);
+  const std::uint64_t stroke = snapshot.runs[run].last_stroke;
+  if (stroke != 0 && (kept == nullptr || stroke != kept->last_stroke)) return "was painted on";
+  if (kept == nullptr && snapshot.creations == recovered_creation_) return "was recovered after a crash";
+  if (worked < long_work) return {};
+  return "has grown for " + std::to_string(std::lround(worked / 60)) + " minutes";
+}
+
+std::optional<UnsavedWork> KeptWork::missing_land(const Snapshot& snapshot) const {
+  const std::size_t runs = snapshot.runs.size();
+  for (std::size_t run = 0; run < runs; ++run) {
+    const std::string why = why_land_is_work(snapshot, run);
+    if (why.empty()) continue;
+    return UnsavedWork{
+        run, true, "The land of " + name_of(*snapshot.runs[run].config, run, runs) + " " + why + " and is in no file."};
+  }
+  return std::nullopt;
+}
+
+std::optional<UnsavedWork> KeptWork::missing(const Comparison& comparison, const Snapshot& snapshot,
+                                             Leaves leaves) const {
+  if (auto land = missing_land(snapshot); land || leaves == Leaves::land) return land;
+  for (std::size_t run = 0; run < comparison.size(); ++run) {
+    const Config config = comparison.config(run);
+    if (has(config)) continue;
+    return UnsavedWork{run, false,
+                       "The setup of " + name_of(config, run, comparison.size()) + " was changed and is in no file."};
+  }
+  return std::nullopt;
+}
+
+}  // namespace erg

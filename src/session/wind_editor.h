@@ -1,0 +1,64 @@
+// Editing the wind: a list of seasons in which no value is invalid.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/errors.h"
+#include "forcing/regime.h"
+
+namespace erg {
+
+/// What is wrong with a curve that people bend: its control points must lie in the unit square.
+std::optional<Mistake> check_curve(const BezierCurve& curve, const std::string& place);
+
+/// Edits a regime where it stands. There is always at least one season; values outside their range are refused.
+class WindEditor {
+ public:
+  /// `standard`: the wind that it goes back to, of one season.
+  explicit WindEditor(Regime& regime, Regime standard = {}) : regime_(&regime), standard_(std::move(standard)) {}
+
+  const Regime& regime() const { return *regime_; }
+  std::size_t seasons() const { return regime_->seasons.size(); }
+  const Season& season(std::size_t index) const { return regime_->seasons.at(index); }
+  /// A season at its defaults.
+  const Season& standard() const { return standard_.seasons.front(); }
+
+  /// A copy of the season right behind it; returns the copy's index.
+  std::size_t duplicate(std::size_t index);
+  /// A season at its defaults at the end; returns its index.
+  std::size_t add();
+  /// Removes it; the last one that is left stays. False then.
+  bool remove(std::size_t index);
+  /// One place up (earlier) or down (later). False at the end of the list.
+  bool move_up(std::size_t index);
+  bool move_down(std::size_t index);
+  /// One season at its defaults: a constant wind.
+  void reset();
+
+  // Each says what is wrong with the value, and then nothing has changed.
+  std::optional<Mistake> set_bearing(std::size_t index, double degrees);
+  /// "270", "W", "nne".
+  std::optional<Mistake> set_bearing(std::size_t index, std::string_view text);
+  std::optional<Mistake> set_first(std::size_t index, double strength);
+  std::optional<Mistake> set_last(std::size_t index, double strength);
+  /// How much the bearing swings, degrees, and for how many steps a draw holds.
+  std::optional<Mistake> set_spread(std::size_t index, double degrees);
+  std::optional<Mistake> set_hold(std::size_t index, std::int64_t steps);
+  /// mm of snow an hour, for snow models that let it fall.
+  std::optional<Mistake> set_snowfall(std::size_t index, double snowfall);
+  std::optional<Mistake> set_steps(std::size_t index, std::int64_t steps);
+  /// The strength curve's control points; both must lie in the unit square.
+  std::optional<Mistake> set_curve(std::size_t index, const BezierCurve& curve);
+
+ private:
+  Regime* regime_;
+  Regime standard_;
+};
+
+}  // namespace erg

@@ -1,0 +1,71 @@
+// The land's pictures: one for each run, drawn into memory of the graphics card when something changed, and copied into
+// the window each frame.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/config/provenance.h"
+#include "render/renderer.h"
+#include "session/snapshot.h"
+#include "ui/land/land_camera.h"
+#include "ui/land/still_painter.h"
+
+namespace erg {
+
+/// The view of a run for the renderer. `snapshot_run` must outlive it.
+TerrainView view_of_run(const RunSnapshot& snapshot_run);
+
+/// A part of the window, pixels from its left upper corner.
+struct WindowPart {
+  int left = 0;
+  int top = 0;
+  int width = 1;
+  int height = 1;
+  double aspect() const { return static_cast<double>(width) / height; }
+  bool operator==(const WindowPart&) const = default;
+};
+
+/// Lives with one OpenGL context, which must be current whenever it is used and when it goes.
+class LandView {
+ public:
+  /// `software`: the processor draws. `stills`, which must outlive it, then draws the pictures at rest; null: this
+  /// thread does.
+  explicit LandView(bool software, StillPainter* stills = nullptr);
+  ~LandView();
+  LandView(const LandView&) = delete;
+  LandView& operator=(const LandView&) = delete;
+
+  /// Draws the runs of a snapshot, each into its part of the window's frame buffer, whose height is given. `restless`:
+  /// the camera is being moved. Returns what a person should know.
+  std::vector<std::string> draw(const Snapshot& snapshot, const Look& look, const Camera& camera,
+                                const std::vector<WindowPart>& parts, int window_height, bool restless);
+
+  /// A picture is still coarser than it will be, and the next frame can do something about it.
+  bool unfinished() const;
+
+  /// The ground of a run as it was drawn last; null before.
+  const LandGround* ground(std::size_t run) const;
+
+  /// Draws a run with all there is.
+  Picture picture(const RunSnapshot& run, const Look& look, const Camera& camera, const PictureSize& size);
+
+ private:
+  struct Pane;
+  void draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless);
+  void paint(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool fine);
+  void refine(const Snapshot& snapshot, const Look& look, const Camera& camera);
+  void order_stills(const Snapshot& snapshot, const Look& look, const Camera& camera);
+  bool take_stills(std::vector<StillPicture> pictures);
+  bool rested() const;
+  void show(const Pane& pane, int window_height) const;
+
+  bool software_;
+  StillPainter* stills_;
+  std::vector<std::unique_ptr<Pane>> panes_;
+};
+
+}  // namespace erg

@@ -1,0 +1,270 @@
+#include "ui/land/land_window.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/panels.h"
+#include "ui/widgets/widgets.h"
+
+namespace erg {
+namespace {
+
+constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
+                                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+constexpr int run_gap = 2;  // pixels between runs that are compared
+
+// Two beside each other, three and four in two rows.
+std::vector<WindowPart> split(const WindowPart& area, std::size_t count) {
+  std::vector<WindowPart> parts;
+  const int columns = count > 1 ? 2 : 1;
+  const int rows = count > 2 ? 2 : 1;
+  for (std::size_t index = 0; index < count; ++index) {
+    const int column = static_cast<int>(index) % columns;
+    const int row = static_cast<int>(index) / columns;
+    const bool last_alone = count == 3 && index == 2;
+    const int left = column * (area.width + run_gap) / columns;
+    const int top = row * (area.height + run_gap) / rows;
+    const int width = last_alone ? area.width : (area.width - (columns - 1) * run_gap) / columns;
+    parts.push_back({area.left + left, area.top + top, std::max(width, 1),
+                     std::max((area.height - (rows - 1) * run_gap) / rows, 1)});
+  }
+  return parts;
+}
+
+bool inside(ImVec2 point, const WindowPart& part) {
+  return point.x >= static_cast<float>(part.left) && point.y >= static_cast<float>(part.top) &&
+         point.x < static_cast<float>(part.left + part.width) && point.y < static_cast<float>(part.top + part.height);
+}
+
+ImVec2 corner_of(const WindowPart& part) { return {static_cast<float>(part.left), static_cast<float>(part.top)}; }
+ImVec2 size_of(const WindowPart& part) { return {static_cast<float>(part.width), static_cast<float>(part.height)}; }
+
+double pressed(int forwards, int backwards) {
+  return (ImGui::IsKeyDown(forwards) ? 1 : 0) - (ImGui::IsKeyDown(backwards) ? 1 : 0);
+}
+
+// A line of text in the middle of what is left of the window's width.
+void centred(const std::string& text, const ImVec4& colour) {
+  const float wide = ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SetCursorPosX(0.5f * (ImGui::GetWindowWidth() - wide));
+  ImGui::TextColored(colour, "%s", text.c_str());
+}
+
+/// Number and model of a run that is compared, and the first thing in which it differs from the others.
+std::string caption(const Config& config, const std::vector<SetupDifference>& differences, std::size_t run) {
+  std::string text = std::to_string(run + 1) + "  " + find_model(config.model).info.title;
+  const auto first = std::ranges::find_if(differences, [](const SetupDifference& one) { return one.name != "model"; });
+  if (first != differences.end() && run < first->values.size()) text += "\n" + first->label + " " + first->values[run];
+  return text;
+}
+
+}  // namespace
+
+std::vector<LandPart> LandWindow::lands(const Snapshot& now) const {
+  std::vector<LandPart> all;
+  for (std::size_t index = 0; index < std::min(parts_.size(), now.runs.size()); ++index) {
+    all.push_back({parts_[index], &now.runs[index], ground_(index)});
+  }
+  return all;
+}
+
+void LandWindow::take_wanted_view(const Snapshot& now, const std::vector<LandPart>& lands) {
+  if (lands.empty()) return;
+  const Terrain& terrain = *lands.front().run->terrain;
+  const std::array<double, 2> extent{terrain.nx() * terrain.cell_size(), terrain.ny() * terrain.cell_size()};
+  // A land of another size is shown whole, from above if the last one was, else as a block.
+  if (scenery_.wanted_view.empty() && extent != extent_) {
+    scenery_.wanted_view = scenery_.camera.camera().orthographic ? "top" : "block";
+  }
+  if (scenery_.wanted_view.empty() && now.creations != creations_) scenery_.wanted_view = "frame";
+  extent_ = extent;
+  creations_ = now.creations;
+  if (scenery_.wanted_view.empty()) return;
+  const LandBox box = Renderer::land_of(view_of_run(*lands.front().run), scenery_.look);
+  scenery_.camera.choose(scenery_.wanted_view, box, lands.front().part.aspect());
+  scenery_.wanted_view.clear();
+}
+
+void LandWindow::take_input(Desk& desk, WindowPart area) {
+  const Snapshot& now = desk.studio.now();
+  area_ = area;
+  const std::size_t parts_before = parts_.size();
+  parts_ = split(area, now.runs.size());
+  // Beside others a run has less room than alone: all of it stays in sight.
+  const bool other_room = parts_before > 0 && parts_.size() != parts_before;
+  if (other_room && scenery_.wanted_view.empty()) scenery_.wanted_view = "frame";
+  tool_ = desk.tool;
+  desk.tool = LandTool::camera;  // a panel that wants another says so in every frame
+  const std::vector<LandPart> all = lands(now);
+  take_wanted_view(now, all);
+
+  ImGui::SetNextWindowPos(corner_of(area));
+  ImGui::SetNextWindowSize(size_of(area));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+  ImGui::Begin("##land", nullptr, bare);
+  ImGui::SetCursorScreenPos(corner_of(area));
+  ImGui::InvisibleButton(
+      "land", size_of(area),
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  mark("land");
+  const bool hovered = ImGui::IsItemHovered();
+  active_ = ImGui::IsItemActive();
+  ImGui::SetItemAllowOverlap();
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+
+  restless_ = false;
+  desk.land = {};
+  if (all.empty()) return;
+  if (!active_) {
+    for (std::size_t index = 0; index < all.size(); ++index) {
+      if (inside(ImGui::GetIO().MousePos, parts_[index])) under_pointer_ = index;
+    }
+  }
+  under_pointer_ = std::min(under_pointer_, all.size() - 1);
+  const LandPart& land = all[under_pointer_];
+  if (hovered && ImGui::IsMouseClicked(0)) desk.studio.set_active(under_pointer_);
+  if (land.ground == nullptr) return;
+  point(desk, land, hovered);
+  move_camera(desk, land, hovered);
+}
+
+void LandWindow::point(Desk& desk, const LandPart& land, bool hovered) {
+  if (!hovered && !active_) return;
+  const PicturePoint place = to_picture(ImGui::GetIO().MousePos, land.part);
+  const auto seen = land.ground->under(scenery_.camera.camera(), place, land.part.aspect());
+  const Terrain& terrain = *land.run->terrain;
+  if (seen) {
+    const auto cell = [&](double metres, int count) {
+      return std::clamp(static_cast<int>(std::floor(metres / terrain.cell_size())), 0, count - 1);
+    };
+    desk.land.cell = CellPlace{cell(seen->x(), terrain.nx()), cell(seen->y(), terrain.ny())};
+  }
+  if (tool_ == LandTool::camera || ImGui::GetIO().KeyCtrl) return;
+  desk.land.pressed = seen.has_value() && hovered && ImGui::IsMouseClicked(0);
+  desk.land.held = active_ && ImGui::IsMouseDown(0);
+}
+
+void LandWindow::move_camera(const Desk& desk, const LandPart& land, bool hovered) {
+  const ImGuiIO& io = ImGui::GetIO();
+  CameraInput input;
+  input.cursor = to_picture(io.MousePos, land.part);
+  input.seconds = std::min(static_cast<double>(io.DeltaTime), 0.1);
+  const bool left = active_ && ImGui::IsMouseDown(0) && (tool_ == LandTool::camera || io.KeyCtrl);
+  input.look = left && io.KeyCtrl;
+  input.orbit = left && !io.KeyCtrl && !io.KeyShift;
+  input.pan = active_ && (ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2) || (left && io.KeyShift));
+  input.right = io.MouseDelta.x / land.part.height;
+  input.up = -io.MouseDelta.y / land.part.height;
+  if (hovered) input.wheel = io.MouseWheel;
+  if (!io.WantTextInput && !io.KeyCtrl && !desk.keys_taken) {
+    input.forwards = pressed('W', 'S');
+    input.sideways = pressed('D', 'A');
+    input.rise = pressed('E', 'Q');
+  }
+  restless_ = scenery_.camera.move(input, *land.ground, land.part.aspect()) || input.orbit || input.pan || input.look;
+}
+
+void LandWindow::draw_over(Desk& desk) {
+  ImGui::Begin("##land", nullptr, bare);
+  {
+    const WidgetScope scope("LAND");
+    const std::vector<LandPart> all = lands(desk.studio.now());
+    if (all.empty()) {
+      draw_empty(desk);
+    } else {
+      draw_lands(desk, all);
+    }
+  }
+  desk.marks.clear();
+  ImGui::End();
+}
+
+void LandWindow::draw_lands(const Desk& desk, const std::vector<LandPart>& all) const {
+  const Camera& camera = scenery_.camera.camera();
+  for (const LandPart& land : all) {
+    const ImVec2 corner = corner_of(land.part);
+    const ImVec2 size = size_of(land.part);
+    ImGui::PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
+    draw_marks(land, camera, scenery_.look.exaggeration, desk.marks);
+    if (scenery_.legend) draw_legend(land, scenery_.look);
+    if (scenery_.legend) draw_wind_rose(land, camera);
+    ImGui::PopClipRect();
+  }
+  if (all.size() > 1) draw_captions(desk, all);
+  draw_reading(desk, all[std::min(under_pointer_, all.size() - 1)]);
+  draw_troubles(desk);
+}
+
+void LandWindow::draw_reading(const Desk& desk, const LandPart& land) const {
+  if (!desk.land.cell) return;
+  const Terrain& terrain = *land.run->terrain;
+  if (desk.land.cell->x >= terrain.nx() || desk.land.cell->y >= terrain.ny()) return;
+  const Gui& gui = Gui::current();
+  const ImVec2 place{static_cast<float>(land.part.left) + gui.px(12),
+                     static_cast<float>(land.part.top + land.part.height) - gui.px(12)};
+  draw_plate(place, read_cell(terrain, *desk.land.cell).text(), gui.theme().text);
+  mark("reading", {place.x, place.y - gui.px(20)}, {place.x + gui.px(200), place.y});
+}
+
+void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& all) const {
+  const Theme& theme = Gui::current().theme();
+  const std::vector<SetupDifference> differences = desk.studio.comparison().differences();
+  for (std::size_t index = 0; index < all.size(); ++index) {
+    const WindowPart& part = all[index].part;
+    const bool chosen = index == desk.studio.active();
+    const ImVec2 corner = corner_of(part);
+    ImGui::GetWindowDrawList()->AddRect(
+        corner, {corner.x + static_cast<float>(part.width), corner.y + static_cast<float>(part.height)},
+        ImGui::GetColorU32(chosen ? theme.accent : theme.edge), 0, 0, Gui::current().px(chosen ? 2.0f : 1.0f));
+    const float middle = corner.x + 0.5f * static_cast<float>(part.width);
+    const std::string text = caption(*all[index].run->config, differences, index);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    draw_plate({middle - 0.5f * size.x, corner.y + size.y + Gui::current().px(18)}, text,
+               chosen ? theme.accent : theme.text);
+  }
+}
+
+void LandWindow::draw_troubles(const Desk& desk) const {
+  const Gui& gui = Gui::current();
+  const Snapshot& now = desk.studio.now();
+  const ImVec2 corner{static_cast<float>(area_.left) + gui.px(12),
+                      static_cast<float>(area_.top + area_.height) - gui.px(44)};
+  float low = corner.y;
+  const auto line = [&](const std::string& text, const ImVec4& colour) {
+    draw_plate({corner.x, low}, text, colour);
+    low -= gui.px(28);
+  };
+  if (now.activity == Activity::failed) {
+    line("The land stands as it was before that step. Save it (Export, checkpoint) or Reset.", gui.theme().text);
+    line("A step failed: " + now.message, gui.theme().lost);
+  }
+  if (now.activity == Activity::building) line("Making the terrain \u2026", gui.theme().accent);
+}
+
+void LandWindow::draw_empty(Desk& desk) const {
+  const Gui& gui = Gui::current();
+  const bool building = desk.studio.now().activity == Activity::building;
+  ImGui::SetCursorPosY(0.4f * static_cast<float>(area_.height));
+  if (building) {
+    centred("Making the terrain \u2026", gui.theme().accent);
+    return;
+  }
+  centred("No land yet.", gui.theme().text);
+  ImGui::Dummy({0, gui.px(8)});
+  const float wide = gui.px(180);
+  ImGui::SetCursorPosX(0.5f * (ImGui::GetWindowWidth() - 2 * wide - gui.px(8)));
+  if (button("Choose a preset", {.tooltip = "The gallery of lands that are ready to grow (G)",
+                                 .look = ButtonLook::accent,
+                                 .size = {wide, 0}})) {
+    desk.open(panel_title::gallery);
+  }
+  ImGui::SameLine();
+  if (button("Create from the setup", {.tooltip = "Make the land that the SETUP panel describes", .size = {wide, 0}})) {
+    desk.studio.create();
+  }
+}
+
+}  // namespace erg

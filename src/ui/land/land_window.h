@@ -1,0 +1,60 @@
+// The land in the middle of the window: where it lies, what mouse and keys do on it, what is written over it.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "session/studio.h"
+#include "ui/land/land_overlay.h"
+#include "ui/land/scenery.h"
+#include "ui/panels/panel.h"
+
+namespace erg {
+
+/// The ground of a run as it is on the screen; null before it was drawn.
+using GroundOfRun = std::function<const LandGround*(std::size_t run)>;
+
+/// Holds no land itself: it looks at the snapshot, and asks for the ground that was drawn.
+class LandWindow {
+ public:
+  LandWindow(Scenery& scenery, GroundOfRun ground) : scenery_(scenery), ground_(std::move(ground)) {}
+
+  /// Takes the rectangle of the window that is left for the land, and what the pointer does there. Fills in desk.land.
+  void take_input(Desk& desk, WindowPart area);
+  /// Draws over the land, after the panels have said what they want to see there.
+  void draw_over(Desk& desk);
+
+  /// Where each run is drawn.
+  const std::vector<WindowPart>& parts() const { return parts_; }
+  /// The camera is being moved.
+  bool restless() const { return restless_; }
+  /// Notes of the renderer about how it drew.
+  void set_notes(std::vector<std::string> notes) { notes_ = std::move(notes); }
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  std::vector<LandPart> lands(const Snapshot& now) const;
+  void take_wanted_view(const Snapshot& now, const std::vector<LandPart>& lands);
+  void move_camera(const Desk& desk, const LandPart& land, bool hovered);
+  void point(Desk& desk, const LandPart& land, bool hovered);
+  void draw_lands(const Desk& desk, const std::vector<LandPart>& lands) const;
+  void draw_captions(const Desk& desk, const std::vector<LandPart>& lands) const;
+  void draw_reading(const Desk& desk, const LandPart& land) const;
+  void draw_empty(Desk& desk) const;
+  void draw_troubles(const Desk& desk) const;
+
+  Scenery& scenery_;
+  GroundOfRun ground_;
+  WindowPart area_;
+  std::array<double, 2> extent_{};  // of the land that the camera was last placed for, m
+  std::uint64_t creations_ = 0;     // of the runs that the camera was last placed for
+  std::vector<WindowPart> parts_;
+  std::vector<std::string> notes_;
+  std::size_t under_pointer_ = 0;  // the part
+  bool restless_ = false;
+  bool active_ = false;  // a button is down that went down on the land
+  LandTool tool_ = LandTool::camera;
+};
+
+}  // namespace erg

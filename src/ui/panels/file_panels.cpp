@@ -1,0 +1,51 @@
+// OPEN and SAVE AS.
+#include "session/studio.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/file_browser.h"
+#include "ui/widgets/widgets.h"
+
+namespace erg {
+namespace {
+
+class OpenPanel final : public Panel {
+ public:
+  const char* title() const override { return panel_title::open; }
+  Dock dock() const override { return Dock::dialog; }
+  ImVec2 size() const override { return {760, 480}; }
+  void draw(Desk& desk) override {
+    const auto file = browser_.draw(desk.studio);
+    if (file) {
+      desk.leave("OPEN", Leaves::everything, [&desk, path = *file] {
+        if (!desk.studio.open_and_play(path)) desk.open(panel_title::log);  // it says what is wrong with the file
+      });
+    }
+    if (file || browser_.cancelled()) desk.close(title());
+  }
+
+ private:
+  FileBrowser browser_{{.title = "OPEN", .action = "OPEN", .endings = {".json", ".checkpoint"}}};
+};
+
+class SavePanel final : public Panel {
+ public:
+  const char* title() const override { return panel_title::save; }
+  Dock dock() const override { return Dock::dialog; }
+  ImVec2 size() const override { return {760, 480}; }
+  void draw(Desk& desk) override {
+    const bool opened = ImGui::IsWindowAppearing();
+    if (opened) browser_.start(desk.studio.settings(), desk.studio.suggested_name(".json"));
+    const auto file = browser_.draw(desk.studio);
+    if (file && !desk.studio.save_config(*file)) desk.open(panel_title::log);
+    if (file || browser_.cancelled()) desk.close(title());
+  }
+
+ private:
+  FileBrowser browser_{{.title = "SAVE AS", .action = "SAVE", .endings = {".json"}, .saving = true}};
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> make_open_panel() { return std::make_unique<OpenPanel>(); }
+std::unique_ptr<Panel> make_save_panel() { return std::make_unique<SavePanel>(); }
+
+}  // namespace erg

@@ -1,0 +1,68 @@
+// RECOVERY: what a crash left behind.
+#include <filesystem>
+
+#include "session/studio.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/widgets.h"
+
+namespace erg {
+namespace {
+
+void recover(Desk& desk, const std::filesystem::path& folder) {
+  if (desk.studio.recover(folder)) {
+    desk.close(panel_title::recovery);
+    desk.close(panel_title::gallery);
+  } else {
+    desk.open(panel_title::log);
+  }
+}
+
+class RecoveryPanel final : public Panel {
+ public:
+  const char* title() const override { return panel_title::recovery; }
+  Dock dock() const override { return Dock::dialog; }
+  bool wanted(const Desk& desk) const override { return !desk.studio.lost_sessions().empty(); }
+  ImVec2 size() const override { return {560, 200}; }
+  void draw(Desk& desk) override;
+
+ private:
+  static bool draw_session(Desk& desk, std::size_t index);
+};
+
+bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
+  const LostSession lost = desk.studio.lost_sessions()[index];
+  const WidgetScope scope("session " + std::to_string(index + 1));
+  ImGui::Separator();
+  say(lost.title.empty() ? "Untitled" : lost.title, Gui::current().theme().text);
+  const std::string runs = lost.runs > 1 ? ", " + std::to_string(lost.runs) + " runs" : "";
+  const std::string step = lost.step > 0 ? "step " + std::to_string(lost.step) : std::string("from its checkpoint");
+  explain(step + runs + ", saved " + lost.saved_at);
+  if (button("RECOVER", {.tooltip = "Goes on from there, paused.", .look = ButtonLook::accent})) {
+    // A question may come first, and the list be another when it is answered.
+    desk.leave("RECOVER", Leaves::everything, [&desk, folder = lost.folder] { recover(desk, folder); });
+    return true;
+  }
+  ImGui::SameLine();
+  if (button("DISCARD", {.tooltip = "Deletes what was saved of it, for good."})) {
+    desk.studio.discard_lost(lost.folder);
+    return true;
+  }
+  return false;
+}
+
+void RecoveryPanel::draw(Desk& desk) {
+  if (desk.studio.lost_sessions().empty()) {
+    explain("Nothing is left to recover.");
+    return;
+  }
+  explain("Erg did not end in order last time. This was saved before:");
+  for (std::size_t index = 0; index < desk.studio.lost_sessions().size(); ++index) {
+    if (draw_session(desk, index)) return;  // the list has changed
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_recovery_panel() { return std::make_unique<RecoveryPanel>(); }
+
+}  // namespace erg

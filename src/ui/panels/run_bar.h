@@ -1,0 +1,33 @@
+// Play, pause, step, run so many steps, speed; and the line at the foot that says how things stand.
+#pragma once
+
+#include <string>
+
+#include "session/studio.h"
+
+namespace erg {
+
+/// The run bar: one row of controls in the current ImGui window.
+class RunBar {
+ public:
+  /// Draws it; what is pressed goes to the studio's runner.
+  void draw(Studio& studio);
+
+ private:
+  void draw_buttons(Studio& studio);
+  void draw_steps(Studio& studio);
+  void draw_progress(const Snapshot& now) const;
+  void draw_speed(Studio& studio) const;
+
+  std::int64_t steps_to_run_ = 200;
+};
+
+/// Play when still, pause when running: what the space key does too.
+void play_or_pause(Runner& runner, const Snapshot& now);
+/// Why no step can be made now; "" when one can.
+std::string why_no_step(const Snapshot& now);
+
+/// The status line in the current ImGui window. True when its log entry was pressed.
+bool draw_status(Studio& studio, float frames_per_second, const std::vector<std::string>& notes);
+
+}  // namespace erg

@@ -1,0 +1,101 @@
+#include "ui/panels/unsaved_panel.h"
+
+#include <utility>
+
+#include "ui/panels/panels.h"
+#include "ui/widgets/file_browser.h"
+#include "ui/widgets/widgets.h"
+
+namespace erg {
+namespace {
+
+class UnsavedPanel final : public Panel {
+ public:
+  explicit UnsavedPanel(std::optional<Parting>& parting) : parting_(parting) {}
+
+  const char* title() const override { return unsaved_title; }
+  Dock dock() const override { return Dock::dialog; }
+  ImVec2 size() const override { return {560, 130}; }
+  void draw(Desk& desk) override;
+
+ private:
+  void draw_buttons(Desk& desk, const UnsavedWork& work);
+  void save(Studio& studio, const UnsavedWork& work);
+  void take_file(Desk& desk, const UnsavedWork& work);
+  void go_on(Desk& desk);
+
+  std::optional<Parting>& parting_;
+  bool saving_ = false;  // SAVE was pressed
+  FilePopup config_{{.title = "SAVE THE SETUP", .action = "SAVE", .endings = {".json"}, .saving = true}};
+  FilePopup checkpoint_{{.title = "SAVE THE LAND", .action = "SAVE", .endings = {".checkpoint"}, .saving = true}};
+};
+
+void UnsavedPanel::go_on(Desk& desk) {
+  desk.close(title());
+  if (const std::optional<Parting> parting = std::exchange(parting_, std::nullopt)) parting->act();
+}
+
+void UnsavedPanel::save(Studio& studio, const UnsavedWork& work) {
+  saving_ = true;
+  studio.set_active(work.run);
+  if (work.land) {
+    checkpoint_.ask(studio.settings(),
+                    studio.suggested_name("-" + std::to_string(studio.now().step()) + ".checkpoint"));
+  } else if (studio.has_own_file()) {
+    studio.save_config(studio.file());
+  } else {
+    config_.ask(studio.settings(), studio.suggested_name(".json"));
+  }
+}
+
+void UnsavedPanel::draw_buttons(Desk& desk, const UnsavedWork& work) {
+  const Export* const running = desk.studio.running_export();
+  const bool writing = running != nullptr && running->state() == Export::State::writing;
+  if (writing) {
+    ImGui::ProgressBar(static_cast<float>(running->progress()), {-1, 0}, running->path().filename().c_str());
+  }
+  if (button("SAVE", {.tooltip = work.land ? "Asks for a file: a checkpoint, which holds land and setup to go on from"
+                                           : "Saves the setup as a config",
+                      .unavailable = writing ? "A file is being written." : "",
+                      .look = ButtonLook::accent})) {
+    save(desk.studio, work);
+  }
+  ImGui::SameLine();
+  const std::string without = parting_->what + " WITHOUT SAVING";
+  if (button(without.c_str(), {.tooltip = "What is in no file is lost.", .name = "WITHOUT SAVING"})) return go_on(desk);
+  ImGui::SameLine();
+  if (button("CANCEL", {.tooltip = "Everything stays as it is."})) {
+    parting_.reset();
+    desk.close(title());
+  }
+}
+
+void UnsavedPanel::take_file(Desk& desk, const UnsavedWork& work) {
+  if (const auto file = config_.draw(desk.studio)) {
+    if (!desk.studio.save_config(*file)) desk.open(panel_title::log);
+  }
+  if (const auto file = checkpoint_.draw(desk.studio)) {
+    desk.studio.set_active(work.run);
+    desk.studio.start_export(*file, "checkpoint");
+  }
+}
+
+void UnsavedPanel::draw(Desk& desk) {
+  if (!parting_) return desk.close(title());
+  if (ImGui::IsWindowAppearing()) saving_ = false;
+  const std::optional<UnsavedWork> work = desk.studio.unsaved_work(parting_->leaves);
+  if (!work && saving_) return go_on(desk);
+  if (!work) return desk.close(title());  // it was saved or taken back elsewhere: nobody has said that it should go on
+  say(work->what, Gui::current().theme().text);
+  ImGui::Spacing();
+  draw_buttons(desk, *work);
+  take_file(desk, *work);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_unsaved_panel(std::optional<Parting>& parting) {
+  return std::make_unique<UnsavedPanel>(parting);
+}
+
+}  // namespace erg

@@ -1,0 +1,316 @@
+// WIND: constant, or a list of seasons that repeats.
+#include <algorithm>
+#include <cmath>
+
+#include "forcing/bearing.h"
+#include "session/studio.h"
+#include "session/wind_cycle.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/axis_ticks.h"
+#include "ui/widgets/curve_editor.h"
+#include "ui/widgets/plot.h"
+#include "ui/widgets/widgets.h"
+#include "ui/widgets/wind_dial.h"
+
+namespace erg {
+namespace {
+
+constexpr std::size_t cycle_samples = 400;  // at most
+
+/// "5" or "3 to 8".
+std::string strength_text(const Season& season) {
+  const std::string first = figure_text(season.first, 3);
+  return season.first == season.last ? first : first + " to " + figure_text(season.last, 3);
+}
+
+void put_in_place(WindEditor wind, const std::vector<Season>& seasons) {
+  wind.reset();
+  for (std::size_t index = 0; index < seasons.size(); ++index) {
+    if (index > 0) wind.add();
+    const Season& season = seasons[index];
+    wind.set_bearing(index, season.bearing);
+    wind.set_first(index, season.first);
+    wind.set_last(index, season.last);
+    wind.set_steps(index, season.steps);
+    wind.set_curve(index, season.curve);
+    wind.set_snowfall(index, season.snowfall);
+    wind.set_spread(index, season.spread);
+    wind.set_hold(index, season.hold);
+  }
+}
+
+class WindPanel final : public Panel {
+ public:
+  const char* title() const override { return panel_title::wind; }
+  Dock dock() const override { return Dock::left; }
+  void draw(Desk& desk) override;
+
+ private:
+  bool shows_seasons(const WindEditor& wind) const { return seasons_wanted_ || !wind.regime().is_constant(); }
+  void draw_kind(const WindEditor& wind);
+  void draw_list(const WindEditor& wind, std::size_t now);
+  void draw_list_buttons(WindEditor wind);
+  void draw_bearing(WindEditor wind);
+  void draw_strengths(WindEditor wind, const std::string& strength_label);
+  void draw_swing(WindEditor wind) const;
+  void draw_snowfall(WindEditor wind) const;
+  void draw_curve(WindEditor wind, const Studio& studio, const std::string& strength_label);
+  void draw_cycle(const WindEditor& wind, std::int64_t step, const std::string& strength_label) const;
+  static void draw_rose(const WindEditor& wind, const Studio& studio);
+
+  std::size_t selected_ = 0;
+  bool seasons_wanted_ = false;
+  std::vector<Season> put_aside_;  ///< the seasons while the wind is constant, so that switching loses nothing
+};
+
+void WindPanel::draw_kind(const WindEditor& wind) {
+  const bool seasons = shows_seasons(wind);
+  const float half = share_of_width(2);
+  if (button("CONSTANT", {.tooltip = "One bearing and one strength for ever. Seasons are kept for later.",
+                          .look = seasons ? ButtonLook::plain : ButtonLook::accent,
+                          .size = {half, 0}}) &&
+      seasons) {
+    put_aside_ = wind.regime().seasons;
+    Season constant = wind.season(selected_);
+    constant.last = constant.first;
+    constant.curve = {};
+    put_in_place(wind, {constant});
+    seasons_wanted_ = false;
+    selected_ = 0;
+  }
+  ImGui::SameLine();
+  if (button("SEASONS", {.tooltip = "A list of winds that repeats.",
+                         .look = seasons ? ButtonLook::accent : ButtonLook::plain,
+                         .size = {half, 0}}) &&
+      !seasons) {
+    if (!put_aside_.empty()) put_in_place(wind, put_aside_);
+    seasons_wanted_ = true;
+  }
+}
+
+void WindPanel::draw_list(const WindEditor& wind, std::size_t now) {
+  constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable("seasons", 4, flags)) return;
+  ImGui::TableSetupColumn("", 0, 0.5f);
+  ImGui::TableSetupColumn("from", 0, 1.6f);
+  ImGui::TableSetupColumn("strength", 0, 1.3f);
+  ImGui::TableSetupColumn("steps", 0, 1);
+  ImGui::TableHeadersRow();
+  for (std::size_t index = 0; index < wind.seasons(); ++index) {
+    const Season& season = wind.season(index);
+    ImGui::TableNextColumn();
+    const std::string number = std::to_string(index + 1);
+    if (ImGui::Selectable(number.c_str(), index == selected_, ImGuiSelectableFlags_SpanAllColumns)) selected_ = index;
+    mark("season " + number);
+    ImGui::TableNextColumn();
+    ImGui::Text("%s", (compass_name(season.bearing) + "  " + figure_text(season.bearing) + "\u00b0").c_str());
+    ImGui::TableNextColumn();
+    ImGui::Text("%s", strength_text(season).c_str());
+    ImGui::TableNextColumn();
+    ImGui::Text("%lld", static_cast<long long>(season.steps));
+    if (index == now) {
+      ImGui::SameLine();
+      ImGui::TextColored(Gui::current().theme().accent, "now");
+    }
+  }
+  ImGui::EndTable();
+}
+
+void WindPanel::draw_list_buttons(WindEditor wind) {
+  const bool last_one = wind.seasons() == 1;
+  if (button("ADD", {.tooltip = "Another season at the end."})) selected_ = wind.add();
+  ImGui::SameLine();
+  if (button("COPY", {.tooltip = "The chosen season once more, right behind it."}))
+    selected_ = wind.duplicate(selected_);
+  ImGui::SameLine();
+  if (button("REMOVE", {.tooltip = "Takes the chosen season out.",
+                        .unavailable = last_one ? "The wind needs one season." : ""})) {
+    wind.remove(selected_);
+    selected_ = std::min(selected_, wind.seasons() - 1);
+  }
+  ImGui::SameLine();
+  if (button("\u2191##up", {.tooltip = "Earlier.", .unavailable = selected_ == 0 ? "It is the first." : ""}) &&
+      wind.move_up(selected_)) {
+    --selected_;
+  }
+  mark("up");
+  ImGui::SameLine();
+  const bool at_end = selected_ + 1 >= wind.seasons();
+  if (button("\u2193##down", {.tooltip = "Later.", .unavailable = at_end ? "It is the last." : ""}) &&
+      wind.move_down(selected_)) {
+    ++selected_;
+  }
+  mark("down");
+}
+
+void WindPanel::draw_bearing(WindEditor wind) {
+  const Gui& gui = Gui::current();
+  double bearing = wind.season(selected_).bearing;
+  bool changed = wind_dial("dial", bearing, gui.px(132), wind.season(selected_).spread);
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  ImGui::Dummy({1, gui.px(24)});
+  ImGui::TextColored(gui.theme().faint, "blows from");
+  changed = type_bearing("bearing", bearing) || changed;
+  ImGui::EndGroup();
+  if (changed) wind.set_bearing(selected_, bearing);
+}
+
+void WindPanel::draw_strengths(WindEditor wind, const std::string& strength_label) {
+  const Season season = wind.season(selected_);
+  const bool seasons = shows_seasons(wind);
+  const std::string range = "\nrange: " + figure_text(smallest_strength) + " to " + figure_text(largest_strength);
+  const auto row = [&](const char* label, const std::string& meaning, double value) {
+    return Row{.label = label, .tooltip = meaning + range, .changed = value != wind.standard().first};
+  };
+  double first = season.first;
+  const RowEvent event = real_row(row(seasons ? "first strength" : "strength", strength_label, first), first,
+                                  smallest_strength, largest_strength);
+  if (event == RowEvent::reset) first = wind.standard().first;
+  if (event != RowEvent::none) {
+    wind.set_first(selected_, first);
+    if (!seasons) wind.set_last(selected_, first);
+  }
+  if (!seasons) return;
+  double last = season.last;
+  const RowEvent last_event = real_row(row("last strength", strength_label + " at the end of the season", last), last,
+                                       smallest_strength, largest_strength);
+  if (last_event == RowEvent::reset) last = wind.standard().last;
+  if (last_event != RowEvent::none) wind.set_last(selected_, last);
+  std::int64_t steps = season.steps;
+  const Parameter declared = season_steps_parameter();
+  const RowEvent steps_event =
+      integer_row({.label = "length", .unit = "steps", .tooltip = parameter_tooltip(declared)}, steps,
+                  static_cast<std::int64_t>(declared.minimum), static_cast<std::int64_t>(declared.maximum));
+  if (steps_event == RowEvent::changed) wind.set_steps(selected_, steps);
+}
+
+void WindPanel::draw_swing(WindEditor wind) const {
+  const Season& season = wind.season(selected_);
+  const Season& standard = wind.standard();
+  const auto row = [](const Parameter& declared, bool changed) {
+    return Row{
+        .label = declared.label, .unit = declared.unit, .tooltip = parameter_tooltip(declared), .changed = changed};
+  };
+  const Parameter spread_declared = season_spread_parameter();
+  double spread = season.spread;
+  const RowEvent event = real_row(row(spread_declared, spread != standard.spread), spread, spread_declared.minimum,
+                                  spread_declared.maximum);
+  if (event != RowEvent::none) wind.set_spread(selected_, event == RowEvent::reset ? standard.spread : spread);
+  if (season.spread <= 0) return;
+  const Parameter hold_declared = season_hold_parameter();
+  std::int64_t hold = season.hold;
+  const RowEvent hold_event =
+      integer_row(row(hold_declared, hold != standard.hold), hold, static_cast<std::int64_t>(hold_declared.minimum),
+                  static_cast<std::int64_t>(hold_declared.maximum));
+  if (hold_event != RowEvent::none) wind.set_hold(selected_, hold_event == RowEvent::reset ? standard.hold : hold);
+}
+
+void WindPanel::draw_snowfall(WindEditor wind) const {
+  const Parameter declared = season_snowfall_parameter();
+  const double standard = std::get<double>(declared.standard);
+  double value = wind.season(selected_).snowfall;
+  const RowEvent event = real_row({.label = declared.label,
+                                   .unit = declared.unit,
+                                   .tooltip = parameter_tooltip(declared),
+                                   .changed = value != standard},
+                                  value, declared.minimum, declared.maximum);
+  if (event != RowEvent::none) wind.set_snowfall(selected_, event == RowEvent::reset ? standard : value);
+}
+
+void WindPanel::draw_curve(WindEditor wind, const Studio& studio, const std::string& strength_label) {
+  const Season& season = wind.season(selected_);
+  if (season.first == season.last) {
+    explain("The strength stays the same over this season. Give it another last strength to bend its curve.");
+    return;
+  }
+  CurveFrame frame;
+  frame.x_label = "step of the season";
+  frame.y_label = strength_label;
+  frame.x = {0, static_cast<double>(std::max<std::int64_t>(1, season.steps - 1))};
+  frame.y = {season.first, season.last};
+  frame.height = Gui::current().px(170);
+  const WindCycle cycle = sample_cycle(wind.regime(), 2);
+  if (studio.now().has_runs() && cycle.season_at(studio.now().step()) == selected_) {
+    frame.cursor = static_cast<double>(cycle.position(studio.now().step()) - cycle.season_starts[selected_]);
+  }
+  BezierCurve curve = season.curve;
+  if (edit_curve("curve", curve, frame)) wind.set_curve(selected_, curve);
+}
+
+void WindPanel::draw_cycle(const WindEditor& wind, std::int64_t step, const std::string& strength_label) const {
+  const auto steps_of_cycle = static_cast<std::size_t>(std::max<std::int64_t>(2, wind.regime().cycle()));
+  const WindCycle cycle = sample_cycle(wind.regime(), std::min(cycle_samples, steps_of_cycle));
+  std::vector<double> steps(cycle.steps.begin(), cycle.steps.end());
+  PlotFrame frame;
+  frame.x_label = "step of the cycle";
+  frame.y_label = strength_label;
+  frame.x = AxisRange{0, static_cast<double>(cycle.length)};
+  frame.from_zero = true;
+  frame.cursor = static_cast<double>(cycle.position(step));
+  frame.height = Gui::current().px(150);
+  for (std::size_t index = 0; index < cycle.season_starts.size(); ++index) {
+    const bool last = index + 1 == cycle.season_starts.size();
+    const std::int64_t end = last ? cycle.length : cycle.season_starts[index + 1];
+    frame.bands.push_back({static_cast<double>(cycle.season_starts[index]), static_cast<double>(end),
+                           compass_name(wind.season(index).bearing), index == selected_});
+  }
+  const PlotLine line{"", steps, cycle.strengths, line_colour(0)};
+  draw_plot("cycle", {&line, 1}, frame);
+}
+
+void WindPanel::draw_rose(const WindEditor& wind, const Studio& studio) {
+  const Gui& gui = Gui::current();
+  const std::int64_t now = studio.now().step();
+  std::int64_t end = now + wind.regime().cycle();
+  if (studio.now().has_runs()) end = std::max(end, studio.now().runs.front().config->run.integer("steps"));
+  const WindRose rose = wind_rose(wind.regime(), now, end, WindRecord::sectors);
+  // What has blown is what was recorded: the seasons may be set to anything else by now.
+  draw_wind_rose("rose", studio.now().blown.sums, rose.to_blow, gui.px(150));
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  ImGui::Dummy({1, gui.px(40)});
+  const float line = ImGui::GetTextLineHeight();
+  const auto key = [&](bool filled, const char* text) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 end_corner{corner.x + line * 0.8f, corner.y + line * 0.9f};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (filled) list.AddRectFilled(corner, end_corner, ImGui::GetColorU32(gui.theme().accent));
+    if (!filled) list.AddRect(corner, end_corner, ImGui::GetColorU32(gui.theme().text));
+    ImGui::Dummy({line, line});
+    ImGui::SameLine();
+    ImGui::TextColored(gui.theme().faint, "%s", text);
+  };
+  key(true, "has blown");
+  key(false, "will blow");
+  ImGui::EndGroup();
+}
+
+void WindPanel::draw(Desk& desk) {
+  Studio& studio = desk.studio;
+  WindEditor wind = studio.comparison().wind();
+  selected_ = std::min(selected_, wind.seasons() - 1);
+  const std::string strength_label = studio.setup().model().info.strength_label;
+  draw_kind(wind);
+  selected_ = std::min(selected_, wind.seasons() - 1);
+  if (shows_seasons(wind)) {
+    const std::size_t now = sample_cycle(wind.regime(), 2).season_at(studio.now().step());
+    draw_list(wind, now);
+    draw_list_buttons(wind);
+  }
+  draw_bearing(wind);
+  draw_strengths(wind, strength_label);
+  draw_swing(wind);
+  if (studio.comparison().asks_snowfall()) draw_snowfall(wind);
+  if (shows_seasons(wind)) {
+    draw_curve(wind, studio, strength_label);
+    if (section("The whole cycle")) draw_cycle(wind, studio.now().step(), strength_label);
+  }
+  if (section("Wind rose")) draw_rose(wind, studio);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_wind_panel() { return std::make_unique<WindPanel>(); }
+
+}  // namespace erg

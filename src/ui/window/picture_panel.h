@@ -1,0 +1,16 @@
+// PICTURE: the land as a PNG of any size.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "ui/window/shell.h"
+
+namespace erg {
+
+inline constexpr const char* picture_title = "PICTURE";
+
+/// `save` draws and writes; it may throw InputError.
+std::unique_ptr<Panel> make_picture_panel(std::function<void(const PictureOrder&)> save);
+
+}  // namespace erg
