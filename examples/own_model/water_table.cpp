@@ -27,11 +27,11 @@ class WaterTable : public SlabModel {
   explicit WaterTable(ParameterValues values) : SlabModel(family, std::move(values)) {}
 
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
-    executor.settle(terrain);
+    executor.sync_to_host(terrain);
     wet_the_ground(terrain, executor);
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover_;
-    return executor.step(terrain, law, wind, key);
+    return move_slabs(executor, terrain, law, wind, key);
   }
 
   std::vector<Reading> readings() const override {
@@ -47,7 +47,7 @@ class WaterTable : public SlabModel {
     if (cover.extent() != terrain.extent()) cover = CoverField(terrain.extent());
     const double table = values().real("water_table");
     const double fringe = std::max(values().real("fringe"), 1e-6);
-    executor.for_pieces(static_cast<std::int64_t>(cover.size()), [&](std::int64_t begin, std::int64_t end) {
+    executor.parallel_for(static_cast<std::int64_t>(cover.size()), [&](std::int64_t begin, std::int64_t end) {
       for (auto cell = static_cast<std::size_t>(begin); cell < static_cast<std::size_t>(end); ++cell) {
         const double height = terrain.metres(terrain.bedrock()[cell] + terrain.mobile()[cell]);
         cover[cell] = cover_of(static_cast<float>(std::clamp((table + fringe - height) / fringe, 0.0, 1.0)));

@@ -73,7 +73,7 @@ void GrainModel::trace_paths(const Terrain& terrain, const WindFrame& frame, con
   const GrainMoment last{key, law.sub_steps - 1, law.sub_steps};
   const std::int64_t polls = polls_of(last, cells);
   PathWatch watch(terrain, frame, ground.base);
-  FlightSums unused;
+  FlightCounters unused;
   int kept = 0;
   // In strides of the golden section, which visit the grid evenly whatever the number wanted.
   const auto stride = static_cast<std::int64_t>(static_cast<double>(polls) / std::numbers::phi) | 1;
@@ -129,7 +129,7 @@ StepReport GrainModel::step(Terrain& terrain, const WindNow& wind, StepKey key, 
     look = [&](const FrozenGround& ground) { trace_paths(terrain, frame, law, key, ground); };
   }
   paths_.clear();
-  const GrainReport report = executor.fly_grains(terrain, law, wind, key, look);
+  const GrainReport report = fly_grains(executor, terrain, law, wind, key, look);
   flights_ = report.flights;
   lifts_ = report.step.lifts;
   cut_off_ += report.cut_off;
@@ -191,7 +191,7 @@ ModelType grains() {
            .painted = {plants_field}},
           grain_parameters(),
           grain_fields(),
-          60,  // the frozen ground, counts and sums of GrainBed, shelter behind plants
+          60,  // the frozen ground, counts and sums of GrainSolver, shelter behind plants
           [](const ParameterValues& values) { return std::make_unique<GrainModel>(values); },
           explain_grains};
 }

@@ -21,7 +21,7 @@
 
 #include "forcing/wind_frame.h"
 #include "models/model.h"
-#include "transport/grain_step.h"
+#include "transport/grain_solver.h"
 
 namespace erg {
 
@@ -42,7 +42,7 @@ class GrainModel : public Model {
   std::vector<GrainPath> paths() const override { return paths_; }
 
   /// What the flights of the last step did; for `bench` and tests.
-  const FlightSums& flights() const { return flights_; }
+  const FlightCounters& flights() const { return flights_; }
 
  private:
   std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
@@ -55,7 +55,7 @@ class GrainModel : public Model {
   double shelter_bearing_ = 0;        // of the wind that shelter_ is for
   Grid<float> shelter_plants_;        // of which it was made
   std::uint64_t shelter_fields_ = 0;  // of the terrain's fields when the plants were last looked at
-  FlightSums flights_;
+  FlightCounters flights_;
   std::int64_t lifts_ = 0;
   std::int64_t cut_off_ = 0;  // since the run was begun or taken up
   int paths_wanted_ = 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compute/executor.h"
 #include "core/grain_path.h"
 #include "core/material.h"
 #include "core/parameters.h"
@@ -15,7 +16,7 @@
 #include "core/terrain.h"
 #include "forcing/regime.h"
 #include "models/model_start.h"
-#include "transport/executor.h"
+#include "transport/step_report.h"
 
 namespace erg {
 

@@ -62,9 +62,9 @@ class NieldBaas : public SlabModel {
     law.covered = StandingSteps::of_angle(values().real("vegetated_repose_angle"), terrain.cell_size(), quantum());
     law.covered_from = static_cast<std::uint8_t>(values().real("repose_from") * 255 + 0.5);
     law.cover = &plants_->cover(terrain);
-    StepReport report = executor.step(terrain, law, wind, key);
+    StepReport report = move_slabs(executor, terrain, law, wind, key);
     if ((key.step + 1) % static_cast<std::uint64_t>(values().integer("steps_per_year")) != 0) return report;
-    executor.settle(terrain);
+    executor.sync_to_host(terrain);
     report.finished = plants_->grow(terrain, key, executor);
     if (report.finished) report.why_finished = "plants hold all of the sand, so nothing can move any more";
     return report;

@@ -233,7 +233,7 @@ bool Plants::grow(Terrain& terrain, StepKey key, Executor& executor) {
   }
   std::atomic<bool> alive{terrain.boundary() == Boundary::open && terrain.inflow() > 0};
   const Grid<std::int32_t>& mobile = terrain.mobile();
-  executor.for_pieces(static_cast<std::int64_t>(mobile.size()), [&](std::int64_t begin, std::int64_t end) {
+  executor.parallel_for(static_cast<std::int64_t>(mobile.size()), [&](std::int64_t begin, std::int64_t end) {
     bool changes = false;
     for (auto cell = static_cast<std::size_t>(begin); cell < static_cast<std::size_t>(end); ++cell) {
       const float slabs = static_cast<float>(mobile[cell]);

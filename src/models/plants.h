@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "compute/executor.h"
 #include "core/parameters.h"
 #include "core/random.h"
 #include "core/terrain.h"
-#include "transport/executor.h"
+#include "transport/slab_law.h"
 
 namespace erg {
 

@@ -114,7 +114,7 @@ SlabLaw SlabModel::law(const Terrain& terrain) const {
 }
 
 StepReport SlabModel::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
-  return executor.step(terrain, law(terrain), wind, key);
+  return move_slabs(executor, terrain, law(terrain), wind, key);
 }
 
 ModelType slab_model_type(ModelInfo info, SlabFamily family) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "models/model.h"
+#include "transport/slab_step.h"
 
 namespace erg {
 

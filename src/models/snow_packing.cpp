@@ -110,7 +110,7 @@ class SnowPacking : public SlabModel {
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover(terrain);
-    StepReport report = executor.step(terrain, law, wind, key);
+    StepReport report = move_slabs(executor, terrain, law, wind, key);
     const double day = static_cast<double>(key.step);
     const double least = pack(terrain, daily_growth(values(), wind.temperature, day), snow_class(values(), day).most);
     report.finished = least >= 1;

@@ -10,7 +10,7 @@
 #include "core/units.h"
 #include "forcing/shadow.h"
 #include "models/model.h"
-#include "transport/snow_step.h"
+#include "transport/snow_solver.h"
 
 namespace erg {
 namespace {
@@ -273,7 +273,7 @@ StepReport SnowSintering::step(Terrain& terrain, const WindNow& wind, StepKey ke
   const double cell_size = terrain.cell_size();
   const SnowRadii radii{cells("smooth_radius", cell_size), std::max(1, cells("around_radius", cell_size))};
   const bool shows_strength = (key.step + 1) % strength_every == 0;
-  return executor.drift_snow(terrain, {law_, radii, shadow_fall(cell_size), shows_strength}, wind, key);
+  return drift_snow(executor, terrain, {law_, radii, shadow_fall(cell_size), shows_strength}, wind, key);
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "compute/executor.h"
 #include "core/joined.h"
 #include "forcing/bearing.h"
 #include "models/model.h"
-#include "transport/executor.h"
 
 namespace erg {
 namespace {

@@ -97,12 +97,12 @@ void Simulation::watch_flux(bool wanted) {
 }
 
 const Terrain& Simulation::terrain() {
-  executor_->settle(state_.terrain);
+  executor_->sync_to_host(state_.terrain);
   return state_.terrain;
 }
 
 Terrain& Simulation::edit_terrain() {
-  executor_->settle(state_.terrain);
+  executor_->sync_to_host(state_.terrain);
   edited_ = true;
   return state_.terrain;
 }
@@ -136,7 +136,7 @@ void Simulation::change(Config config) {
   const ExecutorOptions options = executor_options(config.run);
   std::unique_ptr<Executor> other;
   if (options != executor_options(config_.run)) other = make_executor(options);
-  executor_->settle(state_.terrain);
+  executor_->sync_to_host(state_.terrain);
   config_ = std::move(config);
   model_ = std::move(model);
   if (other) {
@@ -154,7 +154,7 @@ void Simulation::wake() {
 }
 
 const RunState& Simulation::state() {
-  executor_->settle(state_.terrain);
+  executor_->sync_to_host(state_.terrain);
   return state_;
 }
 

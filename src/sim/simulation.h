@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <memory>
 
+#include "compute/executor.h"
 #include "core/terrain.h"
 #include "models/model.h"
 #include "sim/config.h"
 #include "sim/flux_watch.h"
 #include "sim/scene.h"
-#include "transport/executor.h"
 
 namespace erg {
 

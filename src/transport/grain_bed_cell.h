@@ -2,7 +2,7 @@
 // it and come down on it, what impacts knock loose, what slides, creeps and bonds. Shared by every executor, as the
 // rules of a grain in grain_cell.h are.
 //
-// Within a phase of a step (grain_phases.h) items may be worked on in any order and side by side: each writes only what
+// Within a phase of a step (grain_solver.h) items may be worked on in any order and side by side: each writes only what
 // is its own, or adds whole numbers.
 #pragma once
 
@@ -10,23 +10,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "compute/kernel.h"
 #include "core/grid.h"
 #include "transport/grain_cell.h"
 
-#if !defined(__CUDA_ARCH__)
-#include <atomic>
-#endif
-
 namespace erg {
-
-/// Adds to a count to which other threads add at the same time.
-ERG_CELL_ACT void add_shared(std::int32_t& count, std::int32_t amount) {
-#if defined(__CUDA_ARCH__)
-  atomicAdd(&count, amount);
-#else
-  std::atomic_ref(count).fetch_add(amount, std::memory_order_relaxed);
-#endif
-}
 
 /// The bed as plain arrays in the wind's frame (cell = v * width + u), counts of whole parcels. Not owned.
 struct BedPlanes {
@@ -83,8 +71,8 @@ struct GrainMoment {
 };
 
 /// What one thread counts, in whole numbers so that sums do not depend on their order.
-struct GrainTally {
-  FlightSums flights;
+struct GrainCounters {
+  FlightCounters flights;
   std::int64_t lifts = 0;
   std::int64_t in = 0;
   std::int64_t out = 0;
@@ -98,11 +86,8 @@ struct GrainTally {
   }
 };
 
-/// The same as whole numbers in a row, for those who add many up.
-struct GrainTallyWords {
-  std::int64_t of[10];
-};
-static_assert(sizeof(GrainTallyWords) == sizeof(GrainTally));
+/// Of 64 bits each.
+inline constexpr int grain_counters = sizeof(GrainCounters) / sizeof(std::int64_t);
 
 // --- the frozen ground ---
 
@@ -177,8 +162,8 @@ struct BedWatch {
   ERG_CELL_ACT void impact(int u, int v, int grains, float speed) {
     if (grains == 0) return;
     const std::int64_t cell = static_cast<std::int64_t>(v) * bed->width + u;
-    add_shared(bed->asked[cell], grains);
-    add_shared(bed->asked_speed[cell], static_cast<std::int32_t>(speed * speed_parts) * grains);
+    atomic_add(&bed->asked[cell], grains);
+    atomic_add(&bed->asked_speed[cell], static_cast<std::int32_t>(speed * speed_parts) * grains);
   }
 };
 
@@ -197,16 +182,16 @@ ERG_CELL_RULE std::int64_t polls_of(const GrainMoment& now, std::int64_t cells) 
 
 /// A grain that is no longer in the air rests, unless it left.
 ERG_CELL_ACT void put_down(const GrainLaw& law, const BedPlanes& bed, FlightEnd end, const Grain& grain,
-                           GrainDice& dice, GrainTally& tally) {
+                           GrainDice& dice, GrainCounters& tally) {
   tally.book(end, grain);
   if (end == FlightEnd::left) return;
   const BedCell place = resting_place(law, bed.ground(), grain, dice);
-  add_shared(bed.come[static_cast<std::int64_t>(place.v) * bed.width + place.u], 1);
+  atomic_add(&bed.come[static_cast<std::int64_t>(place.v) * bed.width + place.u], 1);
 }
 
 /// Poll `poll` of the sub-step: a grain of the polled cell flies, if one can leave.
 ERG_CELL_ACT void poll_grain(const GrainLaw& law, const BedPlanes& bed, const GrainMoment& now, std::int64_t poll,
-                             GrainTally& tally) {
+                             GrainCounters& tally) {
   GrainDice dice = now.dice(GrainDraw::flight, poll, 0);
   const std::int64_t cell = polled_cell(now, poll, bed.cells(), dice);
   if (cell < 0) return;
@@ -230,7 +215,7 @@ ERG_CELL_RULE int upwind_cells(const GrainLaw& law, const BedPlanes& bed) {
 
 /// Grains that enter over upwind cell `number`, as if they had just left the ground there. `inflow`: a step.
 ERG_CELL_ACT void let_grains_in(const GrainLaw& law, const BedPlanes& bed, const GrainMoment& now, double inflow,
-                                int number, GrainTally& tally) {
+                                int number, GrainCounters& tally) {
   const bool side = number >= bed.width;
   const int v = side ? number - bed.width + 1 : 0;
   const FrozenGround ground = bed.ground();
@@ -249,7 +234,7 @@ ERG_CELL_ACT void let_grains_in(const GrainLaw& law, const BedPlanes& bed, const
 /// Hands out what impacts asked of the cell: takes loose grains and lets them hop. Where nothing is left loose, further
 /// impacts free bonded grains with chance `abrasion`.
 ERG_CELL_ACT void hand_out(const GrainLaw& law, const BedPlanes& bed, const GrainMoment& now, double abrasion,
-                           std::int64_t cell, GrainTally& tally) {
+                           std::int64_t cell, GrainCounters& tally) {
   const int asked = bed.asked[cell];
   if (asked == 0) return;
   const int u = static_cast<int>(cell % bed.width);

@@ -115,7 +115,7 @@ enum class FlightEnd {
 };
 
 /// What happened in a flight, in whole numbers so that sums do not depend on their order.
-struct FlightSums {
+struct FlightCounters {
   std::int64_t grain_steps = 0;
   std::int64_t impacts = 0;
   std::int64_t hop_micrometres = 0;     ///< flown downwind between touches of the ground, summed
@@ -262,7 +262,7 @@ ERG_CELL_RULE bool drift(const GrainLaw& law, const FrozenGround& ground, Grain&
 /// every impact (`impact(cell_u, cell_v, grains, speed)`: so many grains are knocked loose there).
 template <typename Watch>
 ERG_CELL_RULE FlightEnd fly(const GrainLaw& law, const FrozenGround& ground, Grain& grain, GrainDice& dice,
-                            FlightSums& sums, Watch& watch) {
+                            FlightCounters& sums, Watch& watch) {
   GroundSpot spot = ground_at(ground, law.cells_a_metre, grain.u, grain.v);
   float clearance = 0;
   float hop_from = 0;

@@ -29,7 +29,7 @@ struct GrainStepLaw {
 /// What a step did.
 struct GrainReport {
   StepReport step;
-  FlightSums flights;
+  FlightCounters flights;
   std::int64_t cut_off = 0;  ///< flights that were cut off
 };
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "transport/executor.h"
+#include "compute/executor.h"
 #include "transport/plane_layout.h"
 #include "transport/sub_sweep.h"
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "analysis/migration.h"
+#include "compute/executor.h"
 #include "forcing/bearing.h"
 #include "forcing/wind_frame.h"
 #include "models/grain_law.h"
 #include "models/grains.h"
-#include "transport/executor.h"
 #include "world.h"
 
 namespace erg::test {

@@ -62,7 +62,7 @@ TEST(Grains, WithoutAirAGrainFliesAParabola) {
   grain.speed_v = 1.5f;
   grain.speed_z = 1;
   GrainDice dice{1};
-  FlightSums sums;
+  FlightCounters sums;
   FirstImpact watch;
   EXPECT_EQ(fly(law, ground, grain, dice, sums, watch), FlightEnd::rested);
   // Way 2 v w / g, speed of impact as at the start; the first-order time step errs by g dt / w.

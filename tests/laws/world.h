@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "compute/executor.h"
 #include "core/terrain.h"
 #include "models/model.h"
 #include "models/slab_model.h"
-#include "transport/executor.h"
 
 namespace erg::test {
 
@@ -87,7 +87,7 @@ struct World {
       now.bearing = fold_bearing(now.bearing + wind_swing(spread, 0, seed, step));
       total += made->step(terrain, now, {seed, static_cast<std::uint64_t>(step)}, executor);
     }
-    executor.settle(terrain);
+    executor.sync_to_host(terrain);
     return total;
   }
 };

@@ -5,14 +5,15 @@
 #include <cstdlib>
 #include <functional>
 
+#include "compute/executor.h"
 #include "forcing/shadow.h"
 #include "io/formats/png.h"
+#include "io/png.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "scene.h"
 #include "sim/flux_watch.h"
-#include "transport/executor.h"
 
 namespace erg::test {
 namespace {

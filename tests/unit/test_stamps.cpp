@@ -126,14 +126,14 @@ TEST(Stamp, OfACoverDoesNotHideAnotherReposeFromAnExecutor) {
     law.cover = &cover;
     law.covered = {20, 28};
     auto executor = make_executor({.name = "cpu", .threads = 1});
-    executor->step(terrain, law, {270, 3}, {1, 0});
+    move_slabs(*executor, terrain, law, {270, 3}, {1, 0});
     if (!same_executor) {
-      executor->settle(terrain);
+      executor->sync_to_host(terrain);
       executor = make_executor({.name = "cpu", .threads = 1});
     }
     law.covered = {3, 4};
-    executor->step(terrain, law, {270, 3}, {1, 1});
-    executor->settle(terrain);
+    move_slabs(*executor, terrain, law, {270, 3}, {1, 1});
+    executor->sync_to_host(terrain);
     return state_hash(terrain);
   };
   EXPECT_EQ(hash(true), hash(false));

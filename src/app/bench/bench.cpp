@@ -36,9 +36,9 @@ class LawRun {
   LawRun(const Scene& scene, const ExecutorOptions& options)
       : scene_(scene), terrain_(scene.terrain), executor_(make_executor(options)) {}
 
-  std::int64_t step() { return executor_->step(terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls; }
+  std::int64_t step() { return move_slabs(*executor_, terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls; }
   const Terrain& terrain() {
-    executor_->settle(terrain_);
+    executor_->sync_to_host(terrain_);
     return terrain_;
   }
   Executor& executor() { return *executor_; }

@@ -12,13 +12,13 @@
 #include "app/cli/measured_run.h"
 #include "app/cli/options.h"
 #include "app/cli/text_table.h"
+#include "compute/executor.h"
 #include "core/exact_text.h"
 #include "core/terrain.h"
 #include "forcing/bearing.h"
 #include "models/grains.h"
 #include "models/model.h"
 #include "render/gl_context.h"
-#include "transport/executor.h"
 
 namespace erg {
 namespace {

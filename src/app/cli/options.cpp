@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <vector>
 
+#include "compute/executor.h"
 #include "core/errors.h"
 #include "core/exact_text.h"
-#include "transport/executor.h"
 
 namespace erg {
 namespace {
