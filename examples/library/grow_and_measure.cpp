@@ -22,26 +22,26 @@
 namespace {
 
 void grow_and_measure(const std::string& config_file, const std::string& out) {
-  const erg::Config config = erg::read_config(config_file);
-  erg::Simulation simulation = erg::start_simulation(config);
+  const erg::sim::Config config = erg::io::read_config(config_file);
+  erg::sim::Simulation simulation = erg::io::start_simulation(config);
   const std::int64_t steps = config.run.integer("steps");
   const std::int64_t between = std::max<std::int64_t>(1, steps / 10);
 
-  erg::MigrationTracker migration;
+  erg::analysis::MigrationTracker migration;
   std::printf("step,sd_m,highest_m,bare,cells_a_step_east\n");
   while (simulation.step_count() < steps && !simulation.finished()) {
     simulation.step();
     if (simulation.step_count() % between != 0) continue;
     const erg::Terrain& terrain = simulation.terrain();
-    const erg::Morphometry shape = erg::measure(terrain);
-    migration.observe(simulation.step_count(), erg::coarse_surface(terrain, erg::Layer::mobile));
+    const erg::analysis::Morphometry shape = erg::analysis::measure(terrain);
+    migration.observe(simulation.step_count(), erg::analysis::coarse_surface(terrain, erg::analysis::Layer::mobile));
     const auto velocity = migration.velocity();
     std::printf("%lld,%.3f,%.3f,%.3f,%.4f\n", static_cast<long long>(simulation.step_count()), shape.sd_surface,
                 shape.highest, shape.bare_fraction, velocity ? velocity->x : 0.0);
   }
 
-  erg::write_heightmap(out + ".png", simulation.terrain(), erg::provenance_of(simulation));
-  erg::write_checkpoint(out + ".checkpoint", simulation.config(), simulation.state());
+  erg::io::write_heightmap(out + ".png", simulation.terrain(), erg::io::provenance_of(simulation));
+  erg::io::write_checkpoint(out + ".checkpoint", simulation.config(), simulation.state());
 }
 
 }  // namespace

@@ -15,24 +15,24 @@
 namespace {
 
 void grow(const std::string& table, const std::string& folder) {
-  erg::Config config("water_table");
+  erg::sim::Config config("water_table");
   for (const char* setting : {"nx=96", "ny=96", "sand=4", "steps=600", "threads=1"}) {
-    erg::set_from_text(config, setting);
+    erg::sim::set_from_text(config, setting);
   }
-  erg::set_from_text(config, "water_table=" + table);
-  erg::Simulation simulation = erg::start_simulation(config);
+  erg::sim::set_from_text(config, "water_table=" + table);
+  erg::sim::Simulation simulation = erg::io::start_simulation(config);
   const std::int64_t steps = config.run.integer("steps");
   while (simulation.step_count() < steps) simulation.step();
 
-  const erg::Morphometry shape = erg::measure(simulation.terrain());
+  const erg::analysis::Morphometry shape = erg::analysis::measure(simulation.terrain());
   const double wet = simulation.model().readings().front().value;
   std::printf("water table %s m: %.0f %% of the ground wet, lowest %.2f m, highest %.2f m\n", table.c_str(), 100 * wet,
               shape.lowest, shape.highest);
-  erg::PictureOptions options;
+  erg::io::PictureOptions options;
   options.wind = simulation.last_wind();
   options.caption = "water table at " + table + " m";
-  erg::write_png(folder + "/water_table_" + table + "m.png", erg::draw_picture(simulation.terrain(), options),
-                 erg::metadata(erg::provenance_of(simulation)));
+  erg::io::write_png(folder + "/water_table_" + table + "m.png", erg::io::draw_picture(simulation.terrain(), options),
+                     erg::io::metadata(erg::io::provenance_of(simulation)));
 }
 
 }  // namespace

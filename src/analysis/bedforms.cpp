@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 /// Means over squares of three cells.
@@ -76,4 +76,4 @@ std::string bedform_name(const BedformShape& shape) {
   return carved && shape.relief >= least_sastrugi_relief ? "sastrugi" : "streaks";
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

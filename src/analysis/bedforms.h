@@ -6,7 +6,7 @@
 
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// The forms of a surface in numbers.
 struct BedformShape {
@@ -34,4 +34,4 @@ inline constexpr double least_sastrugi_crust = 0.1;    ///< drift on fresh snow 
 /// high).
 std::string bedform_name(const BedformShape& shape);
 
-}  // namespace erg
+}  // namespace erg::analysis

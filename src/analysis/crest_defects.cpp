@@ -6,7 +6,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 /// The phase of the waves near wave number `wanted` (cycles per cell) that face the wind.
@@ -53,4 +53,4 @@ int count_crest_defects(const CoarseSurface& surface, double bearing, double spa
   return defects;
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -3,7 +3,7 @@
 
 #include "analysis/fourier.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// How many defects the crests have that lie `spacing` (cells of the terrain) apart under a wind from `bearing`
 /// (degrees). The surface is narrowed to wave numbers within an octave of 1 / spacing, and to waves that face the wind;
@@ -12,4 +12,4 @@ namespace erg {
 /// even.
 int count_crest_defects(const CoarseSurface& surface, double bearing, double spacing);
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 constexpr int most_lines = 512;
@@ -91,4 +91,4 @@ double crest_spacing(const CoarseSurface& surface, double bearing) {
   return gaps > 0 ? stride * static_cast<double>(samples_between) / static_cast<double>(gaps) : 0;
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

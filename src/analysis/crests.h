@@ -3,7 +3,7 @@
 
 #include "analysis/fourier.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// Mean distance (cells of the terrain) from crest to crest along lines with a wind from `bearing` (degrees). A crest
 /// is where a line has climbed from a quarter of the surface's standard deviation below its mean height to as much
@@ -11,4 +11,4 @@ namespace erg {
 /// Unlike the mean over the spectrum it is not pulled down by short waves, nor held to fractions of the grid's side.
 double crest_spacing(const CoarseSurface& surface, double bearing);
 
-}  // namespace erg
+}  // namespace erg::analysis

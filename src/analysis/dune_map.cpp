@@ -7,7 +7,7 @@
 #include "core/errors.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 double of_dune(std::int32_t thickness) { return thickness >= thinnest_dune ? thickness : 0; }
@@ -137,4 +137,4 @@ HornVolumes find_horns(const DuneMap& map, double least) {
   return horns;
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -9,7 +9,7 @@
 #include "core/grid.h"
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// A place or a way on the grid, in cells; x east, y north.
 struct GridPoint {
@@ -59,4 +59,4 @@ struct HornVolumes {
 /// counts nowhere.
 HornVolumes find_horns(const DuneMap& map, double least);
 
-}  // namespace erg
+}  // namespace erg::analysis

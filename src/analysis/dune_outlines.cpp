@@ -7,7 +7,7 @@
 #include "analysis/sand_patches.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 /// The axes of a wind: along it (downwind) and across it (to the left of who looks downwind).
@@ -203,4 +203,4 @@ DuneMeans mean_of_dunes(const std::vector<Dune>& dunes) {
   return means;
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -7,7 +7,7 @@
 
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// What counts as a dune: a patch of sand (cells that touch along rows and columns) that is thick and large enough. The
 /// outline of the dune is the edge of the patch.
@@ -76,4 +76,4 @@ struct DuneMeans {
 };
 DuneMeans mean_of_dunes(const std::vector<Dune>& dunes);
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 constexpr double most_growth = 1.1;  // in volume, between two looks
@@ -82,4 +82,4 @@ void DuneTracker::start_ways() {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

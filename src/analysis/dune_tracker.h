@@ -7,7 +7,7 @@
 
 #include "analysis/dune_outlines.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// A dune's way, m.
 struct DuneWay {
@@ -55,4 +55,4 @@ class DuneTracker {
   std::int64_t last_number_ = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -7,7 +7,7 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 // Adds `amount` per unit of length, over [from, to) in units of one cell, to blocks `cells` long.
@@ -106,4 +106,4 @@ Grid<double> transform_back(Spectrum2D spectrum) {
   return heights;
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

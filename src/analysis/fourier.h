@@ -6,7 +6,7 @@
 #include "core/grid.h"
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// Which height of the terrain is meant.
 enum class Layer {
@@ -42,4 +42,4 @@ Grid<double> transform_back(Spectrum2D spectrum);
 /// The signed frequency of cell `index` of `count`, in cycles per `count`: 0, 1, ..., -2, -1.
 inline int signed_frequency(int index, int count) { return index <= count / 2 ? index : index - count; }
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace erg {
+namespace erg::analysis {
 
 double heap_middle(const Grid<std::int32_t>& mobile, int reach) {
   std::vector<double> lines(static_cast<std::size_t>(mobile.nx()));
@@ -21,4 +21,4 @@ double heap_middle(const Grid<std::int32_t>& mobile, int reach) {
   return sum > 0 ? thickest + moment / sum : thickest;
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 struct Peak {
@@ -104,4 +104,4 @@ std::optional<Shift> MigrationTracker::velocity() const {
   return Shift{travelled_.x / steps, travelled_.y / steps};
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -6,7 +6,7 @@
 
 #include "analysis/fourier.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// A displacement in cells, or a velocity in cells a step; x east, y north.
 struct Shift {
@@ -41,4 +41,4 @@ class MigrationTracker {
   Shift travelled_;
 };
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -6,7 +6,7 @@
 
 #include "core/surface_range.h"
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 void measure_mobile(const Grid<std::int32_t>& mobile, Morphometry& result) {
@@ -61,4 +61,4 @@ double shadow_fraction(const Grid<std::uint8_t>& shadow) {
   return static_cast<double>(dark) / static_cast<double>(shadow.size());
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

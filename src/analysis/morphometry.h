@@ -5,7 +5,7 @@
 
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// What measure() finds.
 struct Morphometry {
@@ -28,4 +28,4 @@ Morphometry measure(const Terrain& terrain);
 /// The share of cells that are dark in a shadow map.
 double shadow_fraction(const Grid<std::uint8_t>& shadow);
 
-}  // namespace erg
+}  // namespace erg::analysis

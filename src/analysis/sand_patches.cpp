@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 /// Follows one patch after the other.
@@ -83,4 +83,4 @@ SandPatches find_patches(const Terrain& terrain, std::int32_t least, std::int64_
   return patches;
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

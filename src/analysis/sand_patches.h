@@ -6,7 +6,7 @@
 
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// A cell of the endless plane that the torus tiles; on open ground a cell of the grid.
 struct PatchCell {
@@ -26,4 +26,4 @@ struct SandPatches {
 /// that touch along rows and columns.
 SandPatches find_patches(const Terrain& terrain, std::int32_t least, std::int64_t smallest);
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -4,7 +4,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::analysis {
 
 SpectrumNumbers measure_spectrum(const CoarseSurface& surface) {
   const Spectrum2D spectrum = transform(surface);
@@ -38,4 +38,4 @@ SpectrumNumbers measure_spectrum(const CoarseSurface& surface) {
   return numbers;
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/fourier.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// What measure_spectrum() finds.
 struct SpectrumNumbers {
@@ -28,4 +28,4 @@ inline constexpr double least_alignment = 0.4;
 /// Of the surface without its mean; one with open edges is faded out toward them (see transform).
 SpectrumNumbers measure_spectrum(const CoarseSurface& surface);
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -8,7 +8,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::analysis {
 namespace {
 
 constexpr int directions = 360;
@@ -141,4 +141,4 @@ std::vector<StarArms> find_stars(const Terrain& terrain, double apart) {
   return stars;
 }
 
-}  // namespace erg
+}  // namespace erg::analysis

@@ -6,7 +6,7 @@
 #include "core/grid.h"
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::analysis {
 
 /// The arms of one dune.
 struct StarArms {
@@ -38,4 +38,4 @@ StarArms count_arms(const Grid<double>& heights, int x, int y, double reach);
 /// are followed for half of `apart`.
 std::vector<StarArms> find_stars(const Terrain& terrain, double apart);
 
-}  // namespace erg
+}  // namespace erg::analysis

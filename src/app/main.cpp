@@ -14,12 +14,12 @@
 #include "io/config/provenance.h"
 #include "io/files/atomic_file.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 ExitCode run_program(int argument_count, char** arguments) {
   CLI::App program("Erg grows sand dunes and wind-blown snow on a grid. Without a command it opens its window.", "erg");
-  program.set_version_flag("--version", "erg " + program_version());
+  program.set_version_flag("--version", "erg " + io::program_version());
   program.require_subcommand(0, 1);
   program.footer("`erg COMMAND --help` shows the options of a command.");
 
@@ -54,7 +54,7 @@ ExitCode run_program(int argument_count, char** arguments) {
 ExitCode run_and_tell(int argument_count, char** arguments) {
   try {
     return run_program(argument_count, arguments);
-  } catch (const WriteError& error) {  // the disk's fault, not that of what was asked for
+  } catch (const io::WriteError& error) {  // the disk's fault, not that of what was asked for
     tell(error);
     return exit_failed;
   } catch (const InputError& error) {
@@ -67,14 +67,14 @@ ExitCode run_and_tell(int argument_count, char** arguments) {
 }
 
 }  // namespace
-}  // namespace erg
+}  // namespace erg::app
 
 int main(int argument_count, char** arguments) {
-  erg::guard_standard_streams();
-  const erg::ExitCode code = erg::run_and_tell(argument_count, arguments);
-  if (const std::string notice = erg::take_disk_notice(); !notice.empty()) std::cerr << "note: " << notice << "\n";
-  const std::string problem = erg::output_problem();
+  erg::app::guard_standard_streams();
+  const erg::app::ExitCode code = erg::app::run_and_tell(argument_count, arguments);
+  if (const std::string notice = erg::io::take_disk_notice(); !notice.empty()) std::cerr << "note: " << notice << "\n";
+  const std::string problem = erg::app::output_problem();
   if (problem.empty()) return code;
   std::cerr << "standard output: cannot be written (" << problem << ")\n";
-  return code == erg::exit_done ? erg::exit_failed : code;
+  return code == erg::app::exit_done ? erg::app::exit_failed : code;
 }

@@ -22,7 +22,7 @@ void pause_a_moment() {
 
 }  // namespace
 
-int spins_of(int members) { return members <= allowed_threads() ? 1000 : 0; }
+int spins_of(int members) { return members <= process::allowed_threads() ? 1000 : 0; }
 
 void Signal::wait_while(unsigned seen, int spins) const {
   for (int spin = 0; spin < spins; ++spin) {

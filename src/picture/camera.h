@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace erg {
+namespace erg::picture {
 
 /// A camera that looks at a point of the land.
 struct Camera {
@@ -17,4 +17,4 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-}  // namespace erg
+}  // namespace erg::picture

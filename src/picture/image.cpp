@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace erg {
+namespace erg::picture {
 namespace {
 
 std::uint8_t to_byte(double part) { return static_cast<std::uint8_t>(std::lround(std::clamp(part, 0.0, 1.0) * 255)); }
@@ -53,4 +53,4 @@ RgbImage over(const RgbaImage& image, Colour background) {
   return result;
 }
 
-}  // namespace erg
+}  // namespace erg::picture

@@ -7,7 +7,7 @@
 
 #include "picture/palette.h"
 
-namespace erg {
+namespace erg::picture {
 
 /// A colour picture, 8 bits a channel, row 0 at the top (unlike grids).
 struct RgbImage {
@@ -44,4 +44,4 @@ struct RgbaImage {
 /// The picture over a background.
 RgbImage over(const RgbaImage& image, Colour background);
 
-}  // namespace erg
+}  // namespace erg::picture

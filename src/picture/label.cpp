@@ -10,7 +10,7 @@
 #define STBTT_STATIC
 #include <stb/stb_truetype.h>
 
-namespace erg {
+namespace erg::picture {
 namespace {
 
 constexpr const char* font_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
@@ -92,4 +92,4 @@ void draw_label(RgbImage& image, std::string_view text, int x, int y, double siz
   });
 }
 
-}  // namespace erg
+}  // namespace erg::picture

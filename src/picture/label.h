@@ -5,7 +5,7 @@
 
 #include "picture/image.h"
 
-namespace erg {
+namespace erg::picture {
 
 /// The width of a line of text in pixels, or 0 where no font is installed. `size` is the height of a line in pixels.
 int label_width(std::string_view text, double size);
@@ -14,4 +14,4 @@ int label_width(std::string_view text, double size);
 /// is drawn: a picture without labels is better than none.
 void draw_label(RgbImage& image, std::string_view text, int x, int y, double size, Colour colour);
 
-}  // namespace erg
+}  // namespace erg::picture

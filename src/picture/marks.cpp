@@ -6,7 +6,7 @@
 
 #include "picture/label.h"
 
-namespace erg {
+namespace erg::picture {
 namespace {
 
 // How much of a pixel a shape covers, from the signed distance of its centre to the edge.
@@ -66,4 +66,4 @@ int draw_scale_bar(RgbImage& image, int left, int baseline, double longest, doub
   return left + pixels + 8 + label_width(text, mark_text_size);
 }
 
-}  // namespace erg
+}  // namespace erg::picture

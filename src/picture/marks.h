@@ -5,7 +5,7 @@
 
 #include "picture/image.h"
 
-namespace erg {
+namespace erg::picture {
 
 inline constexpr double mark_text_size = 17;  ///< pixels: the height of a line beside a mark
 
@@ -25,4 +25,4 @@ void draw_arrow(RgbImage& image, double x, double y, double east, double north, 
 /// `pixel_size` in m. The first free pixel column after both.
 int draw_scale_bar(RgbImage& image, int left, int baseline, double longest, double pixel_size, Colour colour);
 
-}  // namespace erg
+}  // namespace erg::picture

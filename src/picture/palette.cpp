@@ -6,7 +6,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::picture {
 namespace {
 
 Colour from_hex(std::uint32_t rgb) {
@@ -70,4 +70,4 @@ const Palette& find_palette(std::string_view name) {
   throw InputError("palette", "there is no palette " + in_quotes(name), suggestion(name, palette_names()));
 }
 
-}  // namespace erg
+}  // namespace erg::picture

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace erg {
+namespace erg::picture {
 
 /// A colour in sRGB, each part in [0, 1].
 struct Colour {
@@ -35,4 +35,4 @@ const std::vector<std::string>& palette_names();
 /// The palette of this name; throws InputError with the nearest name.
 const Palette& find_palette(std::string_view name);
 
-}  // namespace erg
+}  // namespace erg::picture

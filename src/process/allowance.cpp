@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-namespace erg {
+namespace erg::process {
 namespace {
 
 namespace fs = std::filesystem;
@@ -236,4 +236,4 @@ int allowed_threads(const SystemView& system) {
   return static_cast<int>(std::max(1.0, threads));
 }
 
-}  // namespace erg
+}  // namespace erg::process

@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-namespace erg {
+namespace erg::process {
 
 /// No limit.
 inline constexpr std::uint64_t unlimited_memory = std::numeric_limits<std::uint64_t>::max();
@@ -39,4 +39,4 @@ double processor_quota(const SystemView& system = {});
 /// more than its quota of time to the nearest whole one, nor than SLURM_CPUS_PER_TASK. At least 1.
 int allowed_threads(const SystemView& system = {});
 
-}  // namespace erg
+}  // namespace erg::process

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-namespace erg {
+namespace erg::process {
 
 std::filesystem::path program_folder(const std::string& name) {
   std::error_code failed;
@@ -10,4 +10,4 @@ std::filesystem::path program_folder(const std::string& name) {
   return (program.parent_path() / ".." / "share" / "erg" / name).lexically_normal();
 }
 
-}  // namespace erg
+}  // namespace erg::process

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <string>
 
-namespace erg {
+namespace erg::process {
 
 /// Where the folder `name` ("shaders", "cfg") of the running program belongs: in share/erg beside the program's own
 /// folder, as `cmake --install` lays it out (a build tree has links there). It may be missing; there is no second
 /// place.
 std::filesystem::path program_folder(const std::string& name);
 
-}  // namespace erg
+}  // namespace erg::process

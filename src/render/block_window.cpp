@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 int inside(int index, int count, bool periodic) {
@@ -82,4 +82,4 @@ std::int64_t read_values(const Grid<float>& field, bool periodic, const BlockWin
   return broken;
 }
 
-}  // namespace erg
+}  // namespace erg::render

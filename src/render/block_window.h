@@ -7,7 +7,7 @@
 #include "core/grid.h"
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::render {
 
 /// Stands in textures for a value that is not a number; the shaders know it too.
 inline constexpr float missing_value = -1e38f;
@@ -32,4 +32,4 @@ void read_land(const Terrain& terrain, const BlockWindow& window, std::vector<fl
 std::int64_t read_values(const Grid<float>& field, bool periodic, const BlockWindow& window,
                          std::vector<float>& values);
 
-}  // namespace erg
+}  // namespace erg::render

@@ -6,7 +6,10 @@
 #include "core/errors.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::render {
+
+using picture::Camera;
+
 namespace {
 
 constexpr double lowest_altitude = -89;
@@ -150,4 +153,4 @@ void keep_above(Camera& camera, const GroundHeight& ground, double clearance) {
   if (missing > 0) camera.target[2] += missing;
 }
 
-}  // namespace erg
+}  // namespace erg::render

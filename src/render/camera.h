@@ -10,7 +10,7 @@
 
 #include "picture/camera.h"
 
-namespace erg {
+namespace erg::render {
 
 /// The block of land that a picture shows, in m.
 struct LandBox {
@@ -28,15 +28,15 @@ struct LandBox {
 const std::vector<std::string>& camera_presets();
 
 /// The preset of this name for a picture of this shape (width / height). Throws InputError with the nearest name.
-Camera camera_preset(std::string_view name, const LandBox& land, double aspect);
+picture::Camera camera_preset(std::string_view name, const LandBox& land, double aspect);
 
 /// Where the camera stands, m.
-Eigen::Vector3d eye(const Camera& camera);
+Eigen::Vector3d eye(const picture::Camera& camera);
 
 /// From the land to the camera, and from there to the picture (OpenGL's clip space). `reach`: how far from the target
 /// things are drawn, m.
-Eigen::Matrix4d view_matrix(const Camera& camera);
-Eigen::Matrix4d projection_matrix(const Camera& camera, double aspect, double reach);
+Eigen::Matrix4d view_matrix(const picture::Camera& camera);
+Eigen::Matrix4d projection_matrix(const picture::Camera& camera, double aspect, double reach);
 
 /// A place in the picture: x from -1 (left) to 1 (right), y from -1 (below) to 1 (above).
 struct PicturePoint {
@@ -49,28 +49,28 @@ struct Sight {
   Eigen::Vector3d from;
   Eigen::Vector3d direction;  ///< of length 1
 };
-Sight sight(const Camera& camera, PicturePoint point, double aspect);
+Sight sight(const picture::Camera& camera, PicturePoint point, double aspect);
 
 /// Turns around the target; the altitude stays within -89 to 90 degrees.
-void orbit(Camera& camera, double bearing, double altitude);
+void orbit(picture::Camera& camera, double bearing, double altitude);
 
 /// Moves the target within the picture plane, by shares of the picture's height to the right and upwards.
-void pan(Camera& camera, double right, double up);
+void pan(picture::Camera& camera, double right, double up);
 
 /// Comes nearer (factor below 1) or goes away so that the land point under the cursor stays under it. `under_cursor`
 /// in m.
-void zoom(Camera& camera, double factor, const Eigen::Vector3d& under_cursor);
+void zoom(picture::Camera& camera, double factor, const Eigen::Vector3d& under_cursor);
 
 /// Moves eye and target together: m forwards along the view, to the right and upwards.
-void fly(Camera& camera, double forwards, double right, double up);
+void fly(picture::Camera& camera, double forwards, double right, double up);
 
 /// Turns the view about the eye.
-void look_around(Camera& camera, double bearing, double altitude);
+void look_around(picture::Camera& camera, double bearing, double altitude);
 
 /// The height of the land at (east, north), m.
 using GroundHeight = std::function<double(double east, double north)>;
 
 /// Lifts a camera that is less than `clearance` (m) above the ground.
-void keep_above(Camera& camera, const GroundHeight& ground, double clearance);
+void keep_above(picture::Camera& camera, const GroundHeight& ground, double clearance);
 
-}  // namespace erg
+}  // namespace erg::render

@@ -1,7 +1,7 @@
 // How much work goes into a picture.
 #pragma once
 
-namespace erg {
+namespace erg::render {
 
 /// What limits the work, by what draws and for whom.
 struct RenderEffort {
@@ -45,4 +45,4 @@ struct RenderEffort {
   }
 };
 
-}  // namespace erg
+}  // namespace erg::render

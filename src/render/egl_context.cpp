@@ -7,7 +7,7 @@
 #include "render/gl.h"
 #include "render/gl_context.h"
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 [[noreturn]] void fail(const std::string& problem) {
@@ -74,4 +74,4 @@ class EglContext final : public GlContext {
 
 std::unique_ptr<GlContext> make_egl_context() { return std::make_unique<EglContext>(); }
 
-}  // namespace erg
+}  // namespace erg::render

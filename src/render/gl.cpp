@@ -8,7 +8,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 using AnyFunction = void (*)();
@@ -92,4 +92,4 @@ GlObject GlObject::render_buffer() {
   return {[](GLuint* id) { glGenRenderbuffers(1, id); }, [](GLuint id) { glDeleteRenderbuffers(1, &id); }};
 }
 
-}  // namespace erg
+}  // namespace erg::render

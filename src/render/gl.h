@@ -7,7 +7,7 @@
 
 #include <GL/glew.h>
 
-namespace erg {
+namespace erg::render {
 
 #define ERG_GL11_FUNCTIONS(use)                                                                                 \
   use(BindTexture) use(Clear) use(ClearColor) use(DeleteTextures) use(DepthFunc) use(DepthMask) use(Disable)    \
@@ -71,4 +71,4 @@ class GlObject {
   Remover remove_ = nullptr;
 };
 
-}  // namespace erg
+}  // namespace erg::render

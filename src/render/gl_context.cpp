@@ -3,7 +3,7 @@
 #include "core/errors.h"
 #include "render/gl.h"
 
-namespace erg {
+namespace erg::render {
 
 std::string GlContext::renderer() const {
   const GLubyte* const text = gl11().GetString(GL_RENDERER);
@@ -44,4 +44,4 @@ std::unique_ptr<GlContext> make_offscreen_context(std::string_view kind) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::render

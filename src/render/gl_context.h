@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace erg {
+namespace erg::render {
 
 /// An OpenGL 3.3 core context of the thread that made it. It is current from its making on, until another is made
 /// current.
@@ -46,4 +46,4 @@ const std::vector<std::string>& offscreen_kinds();
 /// The context of this kind; "auto" is EGL, or OSMesa (has_osmesa) where EGL fails. Throws InputError.
 std::unique_ptr<GlContext> make_offscreen_context(std::string_view kind = "auto");
 
-}  // namespace erg
+}  // namespace erg::render

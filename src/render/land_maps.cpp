@@ -6,7 +6,7 @@
 #include "core/units.h"
 #include "render/sheet_plan.h"
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 constexpr const char* plants_key = "vegetation";
@@ -116,4 +116,4 @@ std::int64_t LandMaps::computed_texels() const {
   return sum;
 }
 
-}  // namespace erg
+}  // namespace erg::render

@@ -14,14 +14,14 @@
 #include "render/camera.h"
 #include "render/land_sheet.h"
 
-namespace erg {
+namespace erg::render {
 
 /// What a picture asks of the land.
 struct LandRequest {
   const TerrainView& view;
   const Look& look;
   const RenderEffort& effort;
-  const Camera& camera;
+  const picture::Camera& camera;
   int picture_height = 1;  ///< pixels
 };
 
@@ -70,4 +70,4 @@ class LandMaps {
   ValueScale scale_;
 };
 
-}  // namespace erg
+}  // namespace erg::render

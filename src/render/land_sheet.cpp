@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace erg {
+namespace erg::render {
 
 void LandSheet::update(SurfaceWorkshop& workshop, const SheetPlace& place, const MapsRequest& request, bool read,
                        std::vector<std::string>& notes) {
@@ -106,4 +106,4 @@ std::int64_t LandSheet::uploaded_texels() const {
   return cells_.uploaded_texels() + field_.uploaded_texels() + plants_.uploaded_texels();
 }
 
-}  // namespace erg
+}  // namespace erg::render

@@ -8,7 +8,7 @@
 #include "render/look.h"
 #include "render/surface_maps.h"
 
-namespace erg {
+namespace erg::render {
 
 /// Where a sheet lies, in cells of the terrain.
 struct SheetPlace {
@@ -69,4 +69,4 @@ class LandSheet {
   int planted_count_ = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::render

@@ -8,7 +8,11 @@
 #include "core/surface_range.h"
 #include "picture/marks.h"
 
-namespace erg {
+namespace erg::render {
+
+using picture::find_palette;
+using picture::number_text;
+
 namespace {
 
 void check_number(const std::string& name, double value, double least, double most) {
@@ -69,4 +73,4 @@ ValueScale value_scale(const Look& look, const TerrainView& view) {
   return scale(field->info.label, field->info.unit, range, palette(field->info.palette));
 }
 
-}  // namespace erg
+}  // namespace erg::render

@@ -7,7 +7,7 @@
 #include "picture/palette.h"
 #include "render/terrain_view.h"
 
-namespace erg {
+namespace erg::render {
 
 /// How the land looks.
 struct Look {
@@ -42,7 +42,7 @@ struct ValueScale {
   std::string unit;
   double low = 0;
   double high = 1;
-  Palette palette;
+  picture::Palette palette;
 };
 
 /// Checks a look against a view; throws InputError (with the nearest word) for an unknown look or palette, and for
@@ -53,4 +53,4 @@ void check_look(const Look& look, const TerrainView& view);
 /// numbers do not count; when nothing counts, the field's declared range.
 ValueScale value_scale(const Look& look, const TerrainView& view);
 
-}  // namespace erg
+}  // namespace erg::render

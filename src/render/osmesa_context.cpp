@@ -12,7 +12,7 @@
 #endif
 #include <GL/osmesa.h>
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 // Pictures are drawn into frame buffer objects; the context's own buffer only has to exist.
@@ -63,4 +63,4 @@ bool has_osmesa() { return true; }
 
 std::unique_ptr<GlContext> make_osmesa_context() { return std::make_unique<OsmesaContext>(); }
 
-}  // namespace erg
+}  // namespace erg::render

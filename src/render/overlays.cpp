@@ -8,13 +8,21 @@
 #include "picture/label.h"
 #include "picture/marks.h"
 
-namespace erg {
+namespace erg::render {
+
+using picture::Colour;
+using picture::draw_label;
+using picture::label_width;
+using picture::number_text;
+using picture::RgbImage;
+using picture::round_length;
+
 namespace {
 
 constexpr int margin = 18;
 constexpr int bar_width = 16;
 constexpr int least_side = 200;  // pixels: below, nothing is written
-constexpr double text_size = mark_text_size;
+constexpr double text_size = picture::mark_text_size;
 constexpr Colour paper{0.98f, 0.97f, 0.95f};
 constexpr Colour ink{0.13f, 0.12f, 0.11f};
 
@@ -69,18 +77,18 @@ int draw_wind(RgbImage& image, int left, const Overlay& overlay) {
   // The arrow lies on the land: it turns with the camera.
   const double toward = radians(*overlay.wind + 180 - (overlay.camera_bearing + 180));
   draw_plate(image, left - 8, baseline - 25, label_width(text, text_size) + 56, 36);
-  draw_arrow(image, left + 16, baseline - 6, std::sin(toward), std::cos(toward), 30, ink);
+  picture::draw_arrow(image, left + 16, baseline - 6, std::sin(toward), std::cos(toward), 30, ink);
   draw_label(image, text, left + 40, baseline, text_size, ink);
   return left + label_width(text, text_size) + 70;
 }
 
 int draw_scale(RgbImage& image, int left, double pixel_size) {
   const double longest = 0.2 * image.width;
-  const std::string text = length_text(round_length(longest * pixel_size));
+  const std::string text = picture::length_text(round_length(longest * pixel_size));
   const double bar = round_length(longest * pixel_size) / pixel_size;
   draw_plate(image, left - 8, image.height - margin - 25, static_cast<int>(bar) + label_width(text, text_size) + 24,
              36);
-  return draw_scale_bar(image, left, image.height - margin, longest, pixel_size, ink) + 24;
+  return picture::draw_scale_bar(image, left, image.height - margin, longest, pixel_size, ink) + 24;
 }
 
 }  // namespace
@@ -98,4 +106,4 @@ void draw_overlay(RgbImage& image, const Overlay& overlay) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::render

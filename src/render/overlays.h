@@ -7,7 +7,7 @@
 #include "render/camera.h"
 #include "render/look.h"
 
-namespace erg {
+namespace erg::render {
 
 /// What there is to write.
 struct Overlay {
@@ -20,6 +20,6 @@ struct Overlay {
 };
 
 /// Draws it over the picture's edges. Parts that do not fit are left out.
-void draw_overlay(RgbImage& image, const Overlay& overlay);
+void draw_overlay(picture::RgbImage& image, const Overlay& overlay);
 
-}  // namespace erg
+}  // namespace erg::render

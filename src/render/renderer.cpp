@@ -12,7 +12,13 @@
 #include "render/scene_painter.h"
 #include "render/textures.h"
 
-namespace erg {
+namespace erg::render {
+
+using picture::Camera;
+using picture::over;
+using picture::RgbaImage;
+using picture::RgbImage;
+
 namespace {
 
 constexpr double clearance = 0.02;  // of the land's shorter side: how far the camera keeps from the ground
@@ -223,4 +229,4 @@ std::int64_t Renderer::uploaded_texels() const { return work_->maps.uploaded_tex
 
 std::int64_t Renderer::computed_texels() const { return work_->maps.computed_texels(); }
 
-}  // namespace erg
+}  // namespace erg::render

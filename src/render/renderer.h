@@ -15,7 +15,7 @@
 #include "render/shader_program.h"
 #include "render/terrain_view.h"
 
-namespace erg {
+namespace erg::render {
 
 /// How large a picture is, and how carefully it is drawn.
 struct PictureSize {
@@ -26,13 +26,13 @@ struct PictureSize {
 
 /// A picture with what belongs to it.
 struct Picture {
-  RgbaImage image;
+  picture::RgbaImage image;
   std::optional<ValueScale> scale;  ///< of the values shown; none for materials
   std::vector<std::string> notes;   ///< what a person should know: values that are no numbers, blocks of cells
   std::int64_t triangles = 0;
 
   /// Without opacity, over white where nothing is.
-  RgbImage opaque() const;
+  picture::RgbImage opaque() const;
 };
 
 /// Lives with one OpenGL context, which must be current whenever it is used and when it goes.
@@ -48,18 +48,18 @@ class Renderer {
   void set_effort(const RenderEffort& effort);
 
   /// Draws into memory. Throws InputError for a look or size that cannot be.
-  Picture draw(const TerrainView& view, const Look& look, const Camera& camera, const PictureSize& size);
+  Picture draw(const TerrainView& view, const Look& look, const picture::Camera& camera, const PictureSize& size);
 
   /// Draws the land (no writing) into the lower left of a frame buffer of the context: 0 is the window's. Returns
   /// what a person should know.
   std::vector<std::string> draw_into(unsigned frame_buffer, const TerrainView& view, const Look& look,
-                                     const Camera& camera, int width, int height);
+                                     const picture::Camera& camera, int width, int height);
 
   /// The block of land of a view, for cameras.
   static LandBox land_of(const TerrainView& view, const Look& look);
 
   /// The point of the land of the last drawing that is seen at a place of the picture.
-  std::optional<Eigen::Vector3d> land_under(const Camera& camera, PicturePoint point, double aspect) const;
+  std::optional<Eigen::Vector3d> land_under(const picture::Camera& camera, PicturePoint point, double aspect) const;
   /// Height of the land of the last drawing, m; for keep_above.
   double ground_height(double east, double north) const;
 
@@ -73,4 +73,4 @@ class Renderer {
   std::unique_ptr<Work> work_;
 };
 
-}  // namespace erg
+}  // namespace erg::render

@@ -7,7 +7,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::render {
 
 // What all of a painting share: matrices, sun, haze.
 struct ScenePainter::Air {
@@ -63,7 +63,7 @@ void hand_over_look(const PaintRequest& request, const ShaderProgram& program) {
   const ValueScale& scale = request.maps.scale();
   program.set("range", static_cast<float>(scale.low), static_cast<float>(scale.high));
   std::vector<float> colours;
-  for (const Colour& colour : scale.palette.points)
+  for (const picture::Colour& colour : scale.palette.points)
     colours.insert(colours.end(), {colour.red, colour.green, colour.blue});
   program.set_colours("palette", colours.data(), static_cast<int>(scale.palette.points.size()));
   program.set("palette_size", static_cast<int>(scale.palette.points.size()));
@@ -309,4 +309,4 @@ void ScenePainter::paint_paths(const PaintRequest& request, const Air& air) {
   glBindVertexArray(0);
 }
 
-}  // namespace erg
+}  // namespace erg::render

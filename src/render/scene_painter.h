@@ -11,13 +11,13 @@
 #include "render/shader_program.h"
 #include "render/terrain_mesh.h"
 
-namespace erg {
+namespace erg::render {
 
 /// One painting.
 struct PaintRequest {
   const TerrainView& view;
   const Look& look;
-  const Camera& camera;
+  const picture::Camera& camera;
   const LandMaps& maps;
   const RenderEffort& effort;
   int width = 1;
@@ -59,4 +59,4 @@ class ScenePainter {
   GlObject line_buffer_;
 };
 
-}  // namespace erg
+}  // namespace erg::render

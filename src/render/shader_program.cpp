@@ -9,7 +9,7 @@
 #include "core/errors.h"
 #include "process/program_files.h"
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,7 +96,7 @@ GLuint compile(GLenum type, const fs::path& path, const std::vector<std::string>
 }  // namespace
 
 fs::path shader_folder() {
-  const fs::path folder = program_folder("shaders");
+  const fs::path folder = process::program_folder("shaders");
   std::error_code failed;
   if (fs::is_directory(folder, failed)) return folder;
   throw InputError(folder.string(), "the folder of the shaders is not there",
@@ -147,4 +147,4 @@ void ShaderProgram::set_texture(const char* name, int unit, GLuint texture) cons
   set(name, unit);
 }
 
-}  // namespace erg
+}  // namespace erg::render

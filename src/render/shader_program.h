@@ -8,7 +8,7 @@
 
 #include "render/gl.h"
 
-namespace erg {
+namespace erg::render {
 
 /// The program's folder of shader files (program_folder). Throws InputError when it is not there.
 std::filesystem::path shader_folder();
@@ -49,4 +49,4 @@ class ShaderProgram {
   GLuint id_ = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::render

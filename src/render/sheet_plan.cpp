@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 constexpr int most_across = 8;    // sheets a side
@@ -77,4 +77,4 @@ std::vector<SheetPlace> plan_sheets(const SheetPlanRequest& request) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::render

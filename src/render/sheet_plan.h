@@ -7,13 +7,13 @@
 #include "render/effort.h"
 #include "render/land_sheet.h"
 
-namespace erg {
+namespace erg::render {
 
 /// What decides how a land is cut.
 struct SheetPlanRequest {
   const Terrain& terrain;
   const RenderEffort& effort;
-  const Camera& camera;
+  const picture::Camera& camera;
   LandBox land;
   int picture_height = 1;  ///< pixels
 };
@@ -23,4 +23,4 @@ struct SheetPlanRequest {
 /// larger than a pixel, and larger blocks for all when they would hold more than a square of `effort.largest_side`.
 std::vector<SheetPlace> plan_sheets(const SheetPlanRequest& request);
 
-}  // namespace erg
+}  // namespace erg::render

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 constexpr int sun_steps = 110;           // most steps towards the skyline below the sun
@@ -215,4 +215,4 @@ void SurfaceMaps::compute_light(SurfaceWorkshop& workshop, const SurfaceSource& 
   run_pass(workshop, source, program, surface_.size(), light_, reached);
 }
 
-}  // namespace erg
+}  // namespace erg::render

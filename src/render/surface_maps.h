@@ -10,7 +10,7 @@
 #include "render/shader_program.h"
 #include "render/textures.h"
 
-namespace erg {
+namespace erg::render {
 
 /// The programs that make maps, and the maps between cells and surface that are needed only while one is made; shared
 /// by all sheets of a land.
@@ -78,4 +78,4 @@ class SurfaceMaps {
   std::vector<double> light_key_;
 };
 
-}  // namespace erg
+}  // namespace erg::render

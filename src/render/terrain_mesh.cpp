@@ -6,7 +6,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 constexpr int coarsest = 2;  // steps for the side of a tile
@@ -149,4 +149,4 @@ void TerrainMesh::draw(const ShaderProgram& program) const {
   glBindVertexArray(0);
 }
 
-}  // namespace erg
+}  // namespace erg::render

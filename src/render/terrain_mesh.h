@@ -13,7 +13,7 @@
 #include "render/gl.h"
 #include "render/shader_program.h"
 
-namespace erg {
+namespace erg::render {
 
 /// What decides how finely each tile is drawn.
 struct MeshRequest {
@@ -22,7 +22,7 @@ struct MeshRequest {
   Eigen::Vector2d corner = {0, 0};  ///< m: of its south-west, in the copy of the land that is drawn
   double low = 0;                   ///< m: of the land
   double high = 1;                  ///< m: of the land
-  Camera camera;
+  picture::Camera camera;
   Eigen::Matrix4d view_projection;
   int picture_height = 1;  ///< pixels
   double step_pixels = 2;  ///< wanted length of a step in the picture
@@ -62,4 +62,4 @@ class TerrainMesh {
   std::int64_t triangles_ = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::render

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace erg {
+namespace erg::render {
 
 const Field* TerrainView::find_field(const std::string& key) const {
   const auto own = std::ranges::find_if(fields, [&key](const Field* field) { return field->info.key == key; });
@@ -18,4 +18,4 @@ std::vector<std::string> TerrainView::field_keys() const {
   return keys;
 }
 
-}  // namespace erg
+}  // namespace erg::render

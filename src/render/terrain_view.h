@@ -10,7 +10,7 @@
 #include "core/material.h"
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::render {
 
 /// A const view; everything it points to must outlive the drawing.
 struct TerrainView {
@@ -28,4 +28,4 @@ struct TerrainView {
   std::vector<std::string> field_keys() const;
 };
 
-}  // namespace erg
+}  // namespace erg::render

@@ -6,7 +6,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::render {
 namespace {
 
 void set_sampling(GLint filter, bool periodic) {
@@ -184,4 +184,4 @@ int largest_texture() {
   return largest;
 }
 
-}  // namespace erg
+}  // namespace erg::render

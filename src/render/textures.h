@@ -8,7 +8,7 @@
 #include "core/grid.h"
 #include "render/gl.h"
 
-namespace erg {
+namespace erg::render {
 
 /// A part of a texture or grid.
 struct TexelRect {
@@ -98,4 +98,4 @@ class PictureTarget {
 /// The longest side that a texture may have.
 int largest_texture();
 
-}  // namespace erg
+}  // namespace erg::render

@@ -8,7 +8,7 @@
 #include "core/exact_text.h"
 #include "transport/terrain_heights.h"
 
-namespace erg {
+namespace erg::session {
 namespace {
 
 /// A cell that the dab touches, and how much of its amount that cell gets, 0 to 1.
@@ -122,4 +122,4 @@ bool apply_dab(Terrain& terrain, const Dab& dab) {
                                               : apply_to_ground(terrain, dab, touched);
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -6,7 +6,7 @@
 
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::session {
 
 /// What a brush puts down.
 enum class BrushMaterial {
@@ -36,4 +36,4 @@ inline constexpr double largest_brush = 512;
 /// (Simulation::book_edit).
 bool apply_dab(Terrain& terrain, const Dab& dab);
 
-}  // namespace erg
+}  // namespace erg::session

@@ -4,7 +4,10 @@
 #include <limits>
 #include <set>
 
-namespace erg {
+namespace erg::session {
+
+using sim::Config;
+
 namespace {
 
 /// A value with its unit, or "-" where the model has none such.
@@ -55,7 +58,7 @@ std::vector<SetupDifference> Comparison::differences() const {
     const Temperature& temperature = setup.config().temperature;
     return value_text(temperature.first) + " to " + value_text(temperature.last) + " deg C";
   });
-  for (const ConfigGroup& group : config_groups()) {
+  for (const sim::ConfigGroup& group : sim::config_groups()) {
     std::set<std::string> seen;
     for (const Setup& first : setups_) {
       for (const Parameter& parameter : (first.config().*group.values).declared()) {
@@ -122,7 +125,7 @@ bool Comparison::needs_new_terrain(const Snapshot& snapshot) const {
 
 std::vector<ComparedNumber> compared_numbers(const Snapshot& snapshot) {
   std::vector<ComparedNumber> table;
-  const std::vector<RunNumber>& numbers = run_numbers();
+  const std::vector<io::RunNumber>& numbers = io::run_numbers();
   for (std::size_t column = 0; column < numbers.size(); ++column) {
     ComparedNumber row{numbers[column], {}};
     for (const RunSnapshot& run : snapshot.runs) {
@@ -134,4 +137,4 @@ std::vector<ComparedNumber> compared_numbers(const Snapshot& snapshot) {
   return table;
 }
 
-}  // namespace erg
+}  // namespace erg::session

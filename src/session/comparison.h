@@ -9,7 +9,7 @@
 #include "session/setup.h"
 #include "session/snapshot.h"
 
-namespace erg {
+namespace erg::session {
 
 /// A value that is not the same in all setups.
 struct SetupDifference {
@@ -20,7 +20,7 @@ struct SetupDifference {
 
 /// One number of all runs, for the table under the pictures.
 struct ComparedNumber {
-  RunNumber number;
+  io::RunNumber number;
   std::vector<double> values;  ///< one for each run; not-a-number where unknown
 };
 
@@ -46,19 +46,19 @@ class Comparison {
 
   std::vector<SetupDifference> differences() const;
   /// The config of one setup, with the one wind.
-  Config config(std::size_t index) const { return with_wind(setup(index).config()); }
+  sim::Config config(std::size_t index) const { return with_wind(setup(index).config()); }
   /// All of them.
-  std::vector<Config> configs() const;
+  std::vector<sim::Config> configs() const;
   /// For Runner::change: the running configs with all that may take effect without a new terrain. The snapshot must
   /// have as many runs as there are setups.
-  std::vector<Config> configs_in_force(const Snapshot& snapshot) const;
+  std::vector<sim::Config> configs_in_force(const Snapshot& snapshot) const;
   /// For Runner::create. Throws InputError with all mistakes, each with the number of its run.
-  std::vector<Config> configs_to_create();
+  std::vector<sim::Config> configs_to_create();
   /// Whether CREATE is needed for what differs from the configs that run.
   bool needs_new_terrain(const Snapshot& snapshot) const;
 
  private:
-  Config with_wind(Config config) const;
+  sim::Config with_wind(sim::Config config) const;
 
   std::vector<Setup> setups_;
 };
@@ -66,4 +66,4 @@ class Comparison {
 /// The last numbers of all runs.
 std::vector<ComparedNumber> compared_numbers(const Snapshot& snapshot);
 
-}  // namespace erg
+}  // namespace erg::session

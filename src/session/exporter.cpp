@@ -17,22 +17,26 @@
 #include "io/formats/vti.h"
 #include "sim/memory.h"
 
-namespace erg {
+namespace erg::session {
+
+using io::Provenance;
+using io::WriteProgress;
+
 namespace {
 
 namespace fs = std::filesystem;
 
 void write_map(const fs::path& path, const RunSnapshot& run, const Provenance& source) {
-  PictureOptions options;
+  io::PictureOptions options;
   options.wind = run.last_wind;
   options.caption = find_model(run.config->model).info.title + ", step " + std::to_string(run.step);
-  write_run_png(path, draw_picture(*run.terrain, options), source);
+  io::write_run_png(path, io::draw_picture(*run.terrain, options), source);
 }
 
 void write_volume(const fs::path& path, const RunSnapshot& run, const Provenance& source) {
   const double fall = find_model(run.config->model).make(run.config->parameters)->shadow_fall(run.terrain->cell_size());
   const Grid<std::uint8_t> shadow = shadow_map(*run.terrain, run.last_wind.bearing, fall);
-  write_vti(path, *run.terrain, &shadow, source, {run.flux.get(), run.flux ? std::size_t{1} : 0});
+  io::write_vti(path, *run.terrain, &shadow, source, {run.flux.get(), run.flux ? std::size_t{1} : 0});
 }
 
 /// A format with the function that writes it.
@@ -48,22 +52,22 @@ const std::vector<Writer>& writers() {
       {{"png16", "Heightmap (16-bit PNG)", ".png", "Heights as grey, one pixel a cell; low and high in its text.",
         Keeps::nothing, "-heights"},
        [](const auto& path, const auto& run, const auto& source, const auto&) {
-         write_heightmap(path, *run.terrain, source);
+         io::write_heightmap(path, *run.terrain, source);
        }},
       {{"vti", "VTK image data", ".vti", "Surface, sand, bedrock, shadow and every field, for ParaView."},
        [](const auto& path, const auto& run, const auto& source, const auto&) { write_volume(path, run, source); }},
       {{"obj", "Mesh (Wavefront OBJ)", ".obj",
         "The surface as triangles in m, z up: text that every 3D program reads."},
        [](const auto& path, const auto& run, const auto& source, const auto& progress) {
-         write_obj(path, *run.terrain, source, progress);
+         io::write_obj(path, *run.terrain, source, progress);
        }},
       {{"ply", "Mesh (PLY)", ".ply", "The surface as triangles in m, with the thickness of the sand at each point."},
        [](const auto& path, const auto& run, const auto& source, const auto& progress) {
-         write_ply(path, *run.terrain, source, progress);
+         io::write_ply(path, *run.terrain, source, progress);
        }},
       {{"stl", "Solid (STL)", ".stl", "A closed body with a flat floor, in m, for 3D printing."},
        [](const auto& path, const auto& run, const auto& source, const auto& progress) {
-         write_stl(path, *run.terrain, source, progress);
+         io::write_stl(path, *run.terrain, source, progress);
        }},
       {{"csv", "Numbers (CSV)", ".csv", "The run's numbers over time, as the plots show them."},
        [](const auto& path, const auto& run, const auto& source, const auto&) {
@@ -72,10 +76,10 @@ const std::vector<Writer>& writers() {
       {{"checkpoint", "Checkpoint", ".checkpoint", "The whole run: it goes on from here to the same bits.",
         Keeps::land},
        [](const auto& path, const auto& run, const auto&, const auto&) {
-         write_checkpoint(path, *run.config, run.state());
+         io::write_checkpoint(path, *run.config, run.state());
        }},
       {{"json", "Config (JSON)", ".json", "What the run was set up with; `erg run` takes it.", Keeps::setup},
-       [](const auto& path, const auto& run, const auto&, const auto&) { write_config(path, *run.config); }}};
+       [](const auto& path, const auto& run, const auto&, const auto&) { io::write_config(path, *run.config); }}};
   return all;
 }
 
@@ -101,7 +105,7 @@ void export_run(const fs::path& path, const std::string& format, const RunSnapsh
   for (const Writer& writer : writers()) {
     keys.push_back(writer.format.key);
     if (writer.format.key != format) continue;
-    return writer.write(path, run, provenance_of(*run.config, run.step, run.executor, run.threads), progress);
+    return writer.write(path, run, io::provenance_of(*run.config, run.step, run.executor, run.threads), progress);
   }
   throw InputError("export", "unknown format " + in_quotes(format), suggestion(format, keys));
 }
@@ -125,15 +129,15 @@ void Export::write(const std::string& format, const RunSnapshot& run) {
     export_run(path_, format, run, progress);
     progress_ = 1;
     state_ = State::done;
-  } catch (const StoppedWriting&) {
+  } catch (const io::StoppedWriting&) {
     state_ = State::stopped;
   } catch (const InputError& error) {  // names the file itself
     problem_ = error.what();
     state_ = State::failed;
   } catch (const std::exception& error) {
-    problem_ = path_.string() + ": " + problem_of(error);
+    problem_ = path_.string() + ": " + sim::problem_of(error);
     state_ = State::failed;
   }
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -12,7 +12,7 @@
 #include "io/formats/mesh.h"
 #include "session/snapshot.h"
 
-namespace erg {
+namespace erg::session {
 
 /// What of a run can be had again from a file.
 enum class Keeps {
@@ -38,7 +38,7 @@ Keeps kept_by(const std::string& format);
 /// Writes one run of a snapshot in the format of this key. Throws InputError, or StoppedWriting when `progress` says to
 /// stop; then no file is left.
 void export_run(const std::filesystem::path& path, const std::string& format, const RunSnapshot& run,
-                const WriteProgress& progress);
+                const io::WriteProgress& progress);
 
 /// One export at work on a thread of its own.
 class Export {
@@ -68,4 +68,4 @@ class Export {
   std::thread thread_;
 };
 
-}  // namespace erg
+}  // namespace erg::session

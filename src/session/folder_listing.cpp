@@ -9,7 +9,7 @@
 
 #include "session/surroundings.h"
 
-namespace erg {
+namespace erg::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,4 +145,4 @@ SaveQuestion save_question(const fs::path& path) {
   return fs::exists(path, failed) ? SaveQuestion::overwrite : SaveQuestion::none;
 }
 
-}  // namespace erg
+}  // namespace erg::session

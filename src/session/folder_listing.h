@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace erg {
+namespace erg::session {
 
 /// A file or folder in a folder.
 struct FolderEntry {
@@ -54,4 +54,4 @@ enum class SaveQuestion {
 /// Looks at the disk.
 SaveQuestion save_question(const std::filesystem::path& path);
 
-}  // namespace erg
+}  // namespace erg::session

@@ -6,7 +6,10 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::session {
+
+using sim::Config;
+
 namespace {
 
 std::string name_of(const Config& config, std::size_t run, std::size_t runs) {
@@ -80,4 +83,4 @@ std::optional<UnsavedWork> KeptWork::missing(const Comparison& comparison, const
   return std::nullopt;
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -11,7 +11,7 @@
 #include "session/comparison.h"
 #include "session/snapshot.h"
 
-namespace erg {
+namespace erg::session {
 
 /// Something that stands in no file.
 struct UnsavedWork {
@@ -35,15 +35,15 @@ class KeptWork {
   static constexpr double long_work = 300;
 
   /// Begins with a setup that stands in this file ("": as the program itself makes it), and no other in any.
-  void start_from(const std::filesystem::path& file, Config config);
-  void setup_saved(const std::filesystem::path& file, Config config);
+  void start_from(const std::filesystem::path& file, sim::Config config);
+  void setup_saved(const std::filesystem::path& file, sim::Config config);
   /// The land of one run as this snapshot shows it stands in a checkpoint.
   void land_saved(const Snapshot& snapshot, std::size_t run);
   /// The runs of this snapshot come from a crash's session, which goes when the program ends in order.
   void recovered(const Snapshot& snapshot);
 
   /// Whether a file has this setup.
-  bool has(const Config& config) const;
+  bool has(const sim::Config& config) const;
   /// The first thing that would be lost; lands come first, for a checkpoint keeps the setup too.
   std::optional<UnsavedWork> missing(const Comparison& comparison, const Snapshot& snapshot, Leaves leaves) const;
 
@@ -57,10 +57,10 @@ class KeptWork {
   std::string why_land_is_work(const Snapshot& snapshot, std::size_t run) const;
   std::optional<UnsavedWork> missing_land(const Snapshot& snapshot) const;
 
-  std::map<std::filesystem::path, Config> files_;
+  std::map<std::filesystem::path, sim::Config> files_;
   std::uint64_t creation_ = 0;  ///< the runs that `lands_` speaks of
   std::vector<Land> lands_;
   std::uint64_t recovered_creation_ = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::session

@@ -7,7 +7,14 @@
 #include "io/checkpoint/start_simulation.h"
 #include "sim/memory.h"
 
-namespace erg {
+namespace erg::session {
+
+using io::Saved;
+using sim::check_memory;
+using sim::Config;
+using sim::free_memory;
+using sim::Simulation;
+
 namespace {
 
 /// Of a run's terrain, besides its own: the state that reset goes back to and up to three that are shown, in the
@@ -39,7 +46,7 @@ void check_together(const Things& things, const Wind& wind_of) {
 
 Lockstep::Moment moment_of(const std::vector<std::unique_ptr<Simulation>>& runs) {
   Lockstep::Moment now;
-  for (const auto& run : runs) now.push_back(std::make_shared<const RunState>(run->state()));
+  for (const auto& run : runs) now.push_back(std::make_shared<const sim::RunState>(run->state()));
   return now;
 }
 
@@ -65,7 +72,8 @@ void Lockstep::create(const std::vector<Config>& configs, std::vector<std::strin
   check_together(configs, [](const Config& config) { return config.wind; });
   check_memory(configs, copies, free_memory());
   std::vector<std::unique_ptr<Simulation>> runs;
-  for (const Config& config : configs) runs.push_back(std::make_unique<Simulation>(start_simulation(config, notes)));
+  for (const Config& config : configs)
+    runs.push_back(std::make_unique<Simulation>(io::start_simulation(config, notes)));
   take(std::move(runs));
   forget_edits();
 }
@@ -121,7 +129,7 @@ void Lockstep::change(const std::vector<Config>& configs) {
   if (configs.size() != size()) throw InputError("", "other runs than there are", "create them anew");
   check_together(configs, [](const Config& config) { return config.wind; });
   for (std::size_t i = 0; i < size(); ++i) {
-    if (needs_new_terrain(runs_[i]->config(), configs[i])) {
+    if (sim::needs_new_terrain(runs_[i]->config(), configs[i])) {
       throw InputError("", "this change needs a new terrain", "press CREATE");
     }
   }
@@ -193,4 +201,4 @@ bool Lockstep::swap_with(std::deque<Edit>& from, std::deque<Edit>& to) {
   return true;
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -13,7 +13,7 @@
 #include "session/wind_cycle.h"
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::session {
 
 /// The most runs that are compared at once.
 inline constexpr std::size_t most_runs = 4;
@@ -22,12 +22,12 @@ inline constexpr std::size_t most_runs = 4;
 class Lockstep {
  public:
   /// The runs' states at one moment.
-  using Moment = std::vector<std::shared_ptr<const RunState>>;
+  using Moment = std::vector<std::shared_ptr<const sim::RunState>>;
   using Duration = std::chrono::steady_clock::duration;
 
   bool empty() const { return runs_.empty(); }
   std::size_t size() const { return runs_.size(); }
-  Simulation& run(std::size_t index) { return *runs_[index]; }
+  sim::Simulation& run(std::size_t index) { return *runs_[index]; }
   std::int64_t step_count() const { return empty() ? 0 : runs_.front()->step_count(); }
   /// Nothing can move any more in any run.
   bool finished() const;
@@ -36,9 +36,9 @@ class Lockstep {
 
   /// New terrains for these configs. Throws InputError: none or too many, winds that differ, whatever a scene lacks.
   /// `notes`, where given, gets what is worth telling of pictures.
-  void create(const std::vector<Config>& configs, std::vector<std::string>* notes = nullptr);
+  void create(const std::vector<sim::Config>& configs, std::vector<std::string>* notes = nullptr);
   /// Goes on from saved states. Throws InputError as create does, and for clocks that differ.
-  void resume(std::vector<Saved> saved);
+  void resume(std::vector<io::Saved> saved);
   /// Back to where the runs were when created or resumed, under the configs of now; can be undone.
   void reset();
   /// Exactly this moment again, under the configs of now: after a failure, or on undo. `blown`: until then.
@@ -53,7 +53,7 @@ class Lockstep {
   /// The wind of all steps that led to what stands here now, as it blew, whatever is set by now.
   const WindRecord& blown() const { return blown_; }
   /// Other configs from the next step on, as many as there are runs. Throws InputError.
-  void change(const std::vector<Config>& configs);
+  void change(const std::vector<sim::Config>& configs);
   /// A dab on one run, booked in its ledger. Throws InputError.
   void paint(std::size_t run, const Dab& dab, std::uint64_t stroke);
 
@@ -78,9 +78,9 @@ class Lockstep {
   void remember(std::uint64_t stroke, std::size_t run);
   void forget_edits();
   bool swap_with(std::deque<Edit>& from, std::deque<Edit>& to);
-  void take(std::vector<std::unique_ptr<Simulation>> runs);
+  void take(std::vector<std::unique_ptr<sim::Simulation>> runs);
 
-  std::vector<std::unique_ptr<Simulation>> runs_;
+  std::vector<std::unique_ptr<sim::Simulation>> runs_;
   Moment beginning_;
   WindRecord blown_before_;  ///< before that
   Duration worked_{};
@@ -89,4 +89,4 @@ class Lockstep {
   std::deque<Edit> redo_;
 };
 
-}  // namespace erg
+}  // namespace erg::session

@@ -4,7 +4,7 @@
 
 #include "session/surroundings.h"
 
-namespace erg {
+namespace erg::session {
 namespace {
 
 std::size_t index_of(LogLevel level) { return static_cast<std::size_t>(level); }
@@ -77,4 +77,4 @@ void Log::clear() {
   ++version_;
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -10,7 +10,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::session {
 
 /// How much a line matters; the later the more.
 enum class LogLevel { information, warning, error };
@@ -60,4 +60,4 @@ class Log {
   std::uint64_t version_ = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::session

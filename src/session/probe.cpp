@@ -10,7 +10,11 @@
 #include "forcing/bearing.h"
 #include "io/formats/table.h"
 
-namespace erg {
+namespace erg::session {
+
+using io::Provenance;
+using io::write_table;
+
 namespace {
 
 /// The index one cell on: around the torus, or held at an open edge.
@@ -159,4 +163,4 @@ void write_histogram(const std::filesystem::path& path, const Histogram& histogr
   write_table(path, {quantity + "_from", quantity + "_to", "cells"}, rows, provenance);
 }
 
-}  // namespace erg
+}  // namespace erg::session

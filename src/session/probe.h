@@ -8,7 +8,7 @@
 #include "core/terrain.h"
 #include "io/config/provenance.h"
 
-namespace erg {
+namespace erg::session {
 
 /// A cell's place.
 struct CellPlace {
@@ -65,8 +65,8 @@ Histogram height_histogram(const Terrain& terrain, std::size_t bars = 48);
 Histogram slope_histogram(const Terrain& terrain, double width = 2);
 
 // Each as CSV with its provenance; throws InputError when it cannot be written.
-void write_section(const std::filesystem::path& path, const Section& section, const Provenance& provenance);
+void write_section(const std::filesystem::path& path, const Section& section, const io::Provenance& provenance);
 void write_histogram(const std::filesystem::path& path, const Histogram& histogram, const std::string& quantity,
-                     const Provenance& provenance);
+                     const io::Provenance& provenance);
 
-}  // namespace erg
+}  // namespace erg::session

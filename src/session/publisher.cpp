@@ -6,7 +6,11 @@
 
 #include "forcing/shadow.h"
 
-namespace erg {
+namespace erg::session {
+
+using io::RunMeter;
+using sim::Simulation;
+
 namespace {
 
 using namespace std::chrono_literals;
@@ -136,7 +140,7 @@ void Publisher::take_numbers(Lane& lane, Simulation& simulation) {
 
 void Publisher::look_at(Lane& lane, Simulation& simulation) {
   RunSnapshot& view = lane.shown;
-  if (lane.config_stale) view.config = std::make_shared<const Config>(simulation.config());
+  if (lane.config_stale) view.config = std::make_shared<const sim::Config>(simulation.config());
   if (lane.series_stale) view.series = std::make_shared<const Series>(lane.series);
   if (lane.stale) {
     const Terrain& terrain = simulation.terrain();
@@ -200,4 +204,4 @@ void Publisher::watch_shadow(bool wanted) { shadow_wanted_ = wanted; }
 
 void Publisher::watch_flux(bool wanted) { flux_wanted_ = wanted; }
 
-}  // namespace erg
+}  // namespace erg::session

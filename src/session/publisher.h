@@ -9,7 +9,7 @@
 #include "session/lockstep.h"
 #include "session/snapshot.h"
 
-namespace erg {
+namespace erg::session {
 
 class TerrainPool;
 
@@ -44,8 +44,8 @@ class Publisher {
  private:
   struct Lane;
 
-  void look_at(Lane& lane, Simulation& simulation);
-  void take_numbers(Lane& lane, Simulation& simulation);
+  void look_at(Lane& lane, sim::Simulation& simulation);
+  void take_numbers(Lane& lane, sim::Simulation& simulation);
   void space_out_numbers(Clock::time_point begin);
   void update_rates(Clock::time_point now);
 
@@ -64,4 +64,4 @@ class Publisher {
   double polls_per_second_ = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::session

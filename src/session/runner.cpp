@@ -7,7 +7,11 @@
 
 #include "sim/memory.h"
 
-namespace erg {
+namespace erg::session {
+
+using sim::Config;
+using sim::problem_of;
+
 namespace {
 
 /// Lets the window's thread go first where there are no more processors than threads at work. Threads that this one
@@ -78,7 +82,7 @@ void Runner::create(std::vector<Config> configs) {
   });
 }
 
-void Runner::resume(std::vector<Saved> saved) {
+void Runner::resume(std::vector<io::Saved> saved) {
   give([this, saved = std::move(saved)]() mutable { make([&] { runs_.resume(std::move(saved)); }); });
 }
 
@@ -302,7 +306,7 @@ void Runner::take_back_if_torn() {
   if (!torn_) return;
   const std::shared_ptr<const Snapshot> whole = snapshot();
   Lockstep::Moment moment;
-  for (const RunSnapshot& run : whole->runs) moment.push_back(std::make_shared<const RunState>(run.state()));
+  for (const RunSnapshot& run : whole->runs) moment.push_back(std::make_shared<const sim::RunState>(run.state()));
   runs_.go_to(moment, whole->blown);
   torn_ = false;
   publisher_.touched(runs_);
@@ -345,4 +349,4 @@ void Runner::publish() {
   published_.notify_all();
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -20,7 +20,7 @@
 #include "session/publisher.h"
 #include "session/snapshot.h"
 
-namespace erg {
+namespace erg::session {
 
 /// Owns one to four runs that go by one clock.
 ///
@@ -52,9 +52,9 @@ class Runner {
 
   /// Makes terrains for these configs (1 to 4, one wind) and shows them, paused. When one cannot be made the runs that
   /// were there stay.
-  void create(std::vector<Config> configs);
+  void create(std::vector<sim::Config> configs);
   /// Goes on from saved states, paused.
-  void resume(std::vector<Saved> saved);
+  void resume(std::vector<io::Saved> saved);
   /// Everything back to what was created or resumed, paused. Can be undone.
   void reset();
   /// Steps on and on, until a pause or the end.
@@ -67,7 +67,7 @@ class Runner {
   /// At most this many steps a second, 0: unlimited.
   void set_speed(double steps_per_second);
   /// The runs go on under these configs (as many as there are runs) from the next step on.
-  void change(std::vector<Config> configs);
+  void change(std::vector<sim::Config> configs);
   /// Puts a dab on one run. Dabs with the same stroke number are undone together.
   void paint(std::size_t run, const Dab& dab, std::uint64_t stroke);
   /// Back to exactly what was before the last stroke or reset: terrain, account, clock. What the runs are set to stays.
@@ -135,4 +135,4 @@ class Runner {
   std::thread thread_;
 };
 
-}  // namespace erg
+}  // namespace erg::session

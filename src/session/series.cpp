@@ -6,7 +6,9 @@
 
 #include "io/formats/table.h"
 
-namespace erg {
+namespace erg::session {
+
+using io::run_numbers;
 
 std::int64_t Series::last_step() const { return rows_ == 0 ? -1 : static_cast<std::int64_t>(value(rows_ - 1, 0)); }
 
@@ -46,14 +48,14 @@ std::vector<double> Series::column(std::size_t column) const {
   return values;
 }
 
-void write_series(const std::filesystem::path& path, const Series& series, const Provenance& provenance) {
+void write_series(const std::filesystem::path& path, const Series& series, const io::Provenance& provenance) {
   std::vector<std::string> columns;
-  for (const RunNumber& number : run_numbers()) columns.push_back(number.key);
+  for (const io::RunNumber& number : run_numbers()) columns.push_back(number.key);
   std::vector<std::vector<double>> rows(series.rows());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t column = 0; column < columns.size(); ++column) rows[i].push_back(series.value(i, column));
   }
-  write_table(path, columns, rows, provenance);
+  io::write_table(path, columns, rows, provenance);
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -10,7 +10,7 @@
 #include "io/config/provenance.h"
 #include "io/formats/run_numbers.h"
 
-namespace erg {
+namespace erg::session {
 
 /// Rows of the run's numbers (run_numbers() says which), taken every `stride` steps. When it is full every second row
 /// is dropped and the stride doubles: so it spans the whole run, evenly.
@@ -30,7 +30,7 @@ class Series {
   std::size_t rows() const { return rows_; }
   std::int64_t stride() const { return stride_; }
   std::int64_t last_step() const;
-  double value(std::size_t row, std::size_t column) const { return values_[row * run_numbers().size() + column]; }
+  double value(std::size_t row, std::size_t column) const { return values_[row * io::run_numbers().size() + column]; }
   /// One column, oldest first.
   std::vector<double> column(std::size_t column) const;
 
@@ -43,6 +43,6 @@ class Series {
 };
 
 /// The rows as CSV with their provenance. Throws InputError when it cannot be written.
-void write_series(const std::filesystem::path& path, const Series& series, const Provenance& provenance);
+void write_series(const std::filesystem::path& path, const Series& series, const io::Provenance& provenance);
 
-}  // namespace erg
+}  // namespace erg::session

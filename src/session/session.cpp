@@ -18,7 +18,11 @@
 #include "session/surroundings.h"
 #include "sim/memory.h"
 
-namespace erg {
+namespace erg::session {
+
+using io::read_checkpoint;
+using io::Saved;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,10 +62,10 @@ void write_session(const fs::path& folder, const Snapshot& snapshot) {
   json["runs"] = Json::array();
   for (std::size_t run = 0; run < snapshot.runs.size(); ++run) {
     const std::string name = checkpoint_name(save, run);
-    write_checkpoint(folder / name, *snapshot.runs[run].config, snapshot.runs[run].state());
+    io::write_checkpoint(folder / name, *snapshot.runs[run].config, snapshot.runs[run].state());
     json["runs"].push_back(name);
   }
-  write_file_atomically(folder / session_name, pretty_json(json));
+  io::write_file_atomically(folder / session_name, io::pretty_json(json));
   // Only now are the older checkpoints of no use.
   std::error_code failed;
   for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
@@ -196,7 +200,7 @@ void Session::save_if_due(const std::shared_ptr<const Snapshot>& snapshot, doubl
       write_session(folder, *snapshot);
       remove_folders(old);
     } catch (const std::exception& error) {
-      return problem_of(error);
+      return sim::problem_of(error);
     }
     return {};
   };
@@ -267,4 +271,4 @@ std::vector<Saved> Session::recover(const LostSession& session) {
 
 void Session::discard(const LostSession& session) { remove_folders({session.folder}); }
 
-}  // namespace erg
+}  // namespace erg::session

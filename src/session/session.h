@@ -16,7 +16,7 @@
 #include "io/checkpoint/checkpoint.h"
 #include "session/snapshot.h"
 
-namespace erg {
+namespace erg::session {
 
 /// What a crash left behind.
 struct LostSession {
@@ -56,7 +56,7 @@ class Session {
   static std::vector<LostSession> lost(const std::filesystem::path& state_folder);
   /// The runs of one, for Runner::resume. Where session.json is missing or damaged, the checkpoints of the save with
   /// the highest number. Throws InputError for a damaged checkpoint, or where there is none.
-  static std::vector<Saved> recover(const LostSession& session);
+  static std::vector<io::Saved> recover(const LostSession& session);
   /// Removes what a crash left.
   static void discard(const LostSession& session);
 
@@ -71,4 +71,4 @@ class Session {
   std::uint64_t saved_version_ = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::session

@@ -10,7 +10,7 @@
 #include "io/files/json_print.h"
 #include "session/surroundings.h"
 
-namespace erg {
+namespace erg::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,7 +108,7 @@ void write_settings(const fs::path& folder, const Settings& settings) {
     throw InputError(folder.string(), "cannot make this folder: " + failed.message(), "settings are not kept");
   Json json;
   for_each_value(settings, [&json](const char* key, const auto& value, auto...) { json[key] = value; });
-  write_file_atomically(file_in(folder), pretty_json(json));
+  io::write_file_atomically(file_in(folder), io::pretty_json(json));
 }
 
-}  // namespace erg
+}  // namespace erg::session

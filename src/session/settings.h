@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace erg {
+namespace erg::session {
 
 /// Kept as settings.json in settings_folder().
 struct Settings {
@@ -41,4 +41,4 @@ Settings read_settings(const std::filesystem::path& folder, std::string& complai
 /// Writes them, making the folder. Throws InputError when it cannot.
 void write_settings(const std::filesystem::path& folder, const Settings& settings);
 
-}  // namespace erg
+}  // namespace erg::session

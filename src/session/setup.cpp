@@ -8,7 +8,12 @@
 #include "sim/simulation.h"
 #include "sim/step_time.h"
 
-namespace erg {
+namespace erg::session {
+
+using sim::Config;
+using sim::config_groups;
+using sim::ConfigGroup;
+
 namespace {
 
 /// Seeds that are drawn stay short enough to be written down.
@@ -56,7 +61,7 @@ void Setup::choose_material(Material material) {
 const ModelType& Setup::model() const { return find_model(config_.model); }
 
 void Setup::choose_model(const std::string& key) {
-  change_model(config_, key);
+  sim::change_model(config_, key);
   config_.title = has_its_own_model() ? named_.title : "";
   config_.description = has_its_own_model() ? named_.description : "";
 }
@@ -119,7 +124,7 @@ void Setup::reset_all() {
   fresh_seed_ = false;
 }
 
-std::vector<std::string> Setup::explanations() const { return explain(config_); }
+std::vector<std::string> Setup::explanations() const { return sim::explain(config_); }
 
 std::vector<Mistake> Setup::mistakes() const {
   std::vector<Mistake> found;
@@ -139,7 +144,7 @@ std::vector<Mistake> Setup::mistakes() const {
 
 std::optional<Mistake> Setup::set_temperatures(double first, double last) {
   for (const double temperature : {first, last}) {
-    if (auto mistake = check_value(temperature_parameter(), temperature, "temperature")) return mistake;
+    if (auto mistake = check_value(sim::temperature_parameter(), temperature, "temperature")) return mistake;
   }
   config_.temperature.first = first;
   config_.temperature.last = last;
@@ -152,7 +157,7 @@ std::optional<Mistake> Setup::set_temperature_curve(const BezierCurve& curve) {
   return std::nullopt;
 }
 
-bool Setup::needs_new_terrain(const Config& running) const { return erg::needs_new_terrain(running, config_); }
+bool Setup::needs_new_terrain(const Config& running) const { return erg::sim::needs_new_terrain(running, config_); }
 
 Config Setup::in_force_on(const Config& running) const {
   Config result = running;
@@ -172,9 +177,9 @@ Config Setup::in_force_on(const Config& running) const {
 
 Config Setup::config_to_create() {
   if (auto found = mistakes(); !found.empty()) throw InputError(std::move(found));
-  take_grid_from_picture(config_);
+  io::take_grid_from_picture(config_);
   if (fresh_seed_) config_.run.set("seed", drawn_seed());
   return config_;
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -14,7 +14,7 @@
 #include "session/wind_editor.h"
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::session {
 
 /// One value as a panel shows it, with its declaration.
 struct SetupRow {
@@ -35,11 +35,11 @@ class Setup {
  public:
   /// Everything at its default.
   Setup() = default;
-  explicit Setup(Config config) { replace(std::move(config)); }
+  explicit Setup(sim::Config config) { replace(std::move(config)); }
 
-  const Config& config() const { return config_; }
+  const sim::Config& config() const { return config_; }
   /// Another config in place of this one, as after loading.
-  void replace(Config config) {
+  void replace(sim::Config config) {
     config_ = std::move(config);
     named_ = {config_.model, config_.title, config_.description};
   }
@@ -55,7 +55,7 @@ class Setup {
   void choose_model(const std::string& key);
 
   /// The rows of one group, in the order of the declarations. `running`: the config of the run now, or null.
-  std::vector<SetupRow> rows(const std::string& group, const Config* running = nullptr) const;
+  std::vector<SetupRow> rows(const std::string& group, const sim::Config* running = nullptr) const;
   /// Enters a value; what is wrong with it, and then nothing has changed.
   std::optional<Mistake> set(const std::string& group, const std::string& key, const ParameterValue& value);
   /// The same as typed.
@@ -73,7 +73,7 @@ class Setup {
   bool has_its_own_model() const { return config_.model == named_.model; }
 
   /// The wind under edit.
-  WindEditor wind() { return WindEditor(config_.wind, starting_wind(model().info.start)); }
+  WindEditor wind() { return WindEditor(config_.wind, sim::starting_wind(model().info.start)); }
 
   /// The temperature over the run (only snow models ask for it): first and last, deg C, and the curve between them, for
   /// `run.steps` steps. Each says what is wrong, and then nothing has changed.
@@ -89,13 +89,13 @@ class Setup {
   /// What stands against CREATE: pictures that are missing. Each value by itself is always right.
   std::vector<Mistake> mistakes() const;
   /// Whether CREATE is needed for what differs from the running config.
-  bool needs_new_terrain(const Config& running) const;
+  bool needs_new_terrain(const sim::Config& running) const;
   /// The running config with what may take effect without a new terrain: the wind, and every value that is not read at
   /// the start only. The running config itself where the model is another one.
-  Config in_force_on(const Config& running) const;
+  sim::Config in_force_on(const sim::Config& running) const;
   /// The config that CREATE makes: with the grid of the picture, and with a new seed if fresh_seed, both kept from then
   /// on. Throws InputError with mistakes(), and where that picture cannot be read.
-  Config config_to_create();
+  sim::Config config_to_create();
 
  private:
   ParameterValues* group(const std::string& key);
@@ -105,9 +105,9 @@ class Setup {
     std::string model, title, description;
   };
 
-  Config config_;
+  sim::Config config_;
   Named named_{config_.model, {}, {}};
   bool fresh_seed_ = false;
 };
 
-}  // namespace erg
+}  // namespace erg::session

@@ -5,7 +5,7 @@
 #include "io/config/provenance.h"
 #include "sim/step_time.h"
 
-namespace erg {
+namespace erg::session {
 
 std::string to_string(Activity activity) {
   switch (activity) {
@@ -25,9 +25,9 @@ std::string to_string(Activity activity) {
   return "failed";
 }
 
-std::string RunSnapshot::executor_text() const { return erg::executor_text(executor, threads); }
+std::string RunSnapshot::executor_text() const { return erg::io::executor_text(executor, threads); }
 
-RunState RunSnapshot::state() const { return {*terrain, step, totals}; }
+sim::RunState RunSnapshot::state() const { return {*terrain, step, totals}; }
 
 double Snapshot::progress() const {
   if (goal <= goal_start) return 0;
@@ -39,10 +39,10 @@ double Snapshot::seconds_left() const {
   return static_cast<double>(std::max<std::int64_t>(0, goal - step())) / steps_per_second;
 }
 
-std::string clock_text(const Config& config, std::int64_t step) {
+std::string clock_text(const sim::Config& config, std::int64_t step) {
   const std::string text = "step " + std::to_string(step);
-  const double seconds = step_scale(config).seconds;
-  return seconds > 0 ? text + ", " + world_time_text(static_cast<double>(step) * seconds) : text;
+  const double seconds = sim::step_scale(config).seconds;
+  return seconds > 0 ? text + ", " + sim::world_time_text(static_cast<double>(step) * seconds) : text;
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -15,7 +15,7 @@
 #include "sim/config.h"
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::session {
 
 /// What the worker is doing.
 enum class Activity {
@@ -32,7 +32,7 @@ std::string to_string(Activity activity);
 
 /// One run as it stands. Never null: config, terrain, series.
 struct RunSnapshot {
-  std::shared_ptr<const Config> config;
+  std::shared_ptr<const sim::Config> config;
   std::shared_ptr<const Terrain> terrain;
   /// Differs whenever the terrain differs, over all runs and snapshots of a Runner; never 0. For TerrainView::version.
   std::uint64_t terrain_version = 0;
@@ -55,7 +55,7 @@ struct RunSnapshot {
   /// "cpu, 2 threads"
   std::string executor_text() const;
   /// What a checkpoint of this moment holds.
-  RunState state() const;
+  sim::RunState state() const;
 };
 
 /// Everything at one moment.
@@ -87,6 +87,6 @@ struct Snapshot {
 };
 
 /// The clock in words: "step 1240", and what that means where the model says so ("step 1240, 15.5 years").
-std::string clock_text(const Config& config, std::int64_t step);
+std::string clock_text(const sim::Config& config, std::int64_t step);
 
-}  // namespace erg
+}  // namespace erg::session

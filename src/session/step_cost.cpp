@@ -7,7 +7,10 @@
 
 #include "io/checkpoint/start_simulation.h"
 
-namespace erg {
+namespace erg::session {
+
+using sim::Config;
+
 namespace {
 
 constexpr std::int64_t most_cells = 64;  // a side, of the land that is measured
@@ -36,7 +39,7 @@ std::optional<double> measure_step(const Config& config) {
   for (const char* const side : {"nx", "ny"}) small.grid.set(side, std::min(config.grid.integer(side), most_cells));
   small.run.set("threads", std::int64_t{1});
   try {
-    Simulation simulation = start_simulation(small);
+    sim::Simulation simulation = io::start_simulation(small);
     simulation.step();  // whatever is made once
     const Clock::time_point begin = Clock::now();
     simulation.step();
@@ -62,4 +65,4 @@ std::optional<double> StepCost::of(const Config& config) {
   return std::nullopt;
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -6,26 +6,26 @@
 
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::session {
 
 /// How many times more cells a land has for each thread than the one that is measured.
-double times_the_measured_land(const Config& config);
+double times_the_measured_land(const sim::Config& config);
 
 /// Seconds that a step of this config takes here: measured on a land of at most 64 x 64 cells, times
 /// times_the_measured_land. None where such a land cannot be made. Takes some hundredths of a second
 /// for the slowest models.
-std::optional<double> measure_step(const Config& config);
+std::optional<double> measure_step(const sim::Config& config);
 
 /// Measures in the background what was asked for last.
 class StepCost {
  public:
   /// Seconds a step of this config takes; none until that is known. Ask once a frame.
-  std::optional<double> of(const Config& config);
+  std::optional<double> of(const sim::Config& config);
 
  private:
   std::future<std::optional<double>> measuring_;
-  std::optional<Config> measured_;  ///< or being measured
+  std::optional<sim::Config> measured_;  ///< or being measured
   std::optional<double> seconds_;
 };
 
-}  // namespace erg
+}  // namespace erg::session

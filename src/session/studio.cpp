@@ -7,7 +7,12 @@
 #include "io/files/given_file.h"
 #include "sim/memory.h"
 
-namespace erg {
+namespace erg::session {
+
+using io::provenance_of;
+using sim::Config;
+using sim::problem_of;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,11 +150,11 @@ void Studio::apply_edits() {
 bool Studio::open(const fs::path& path) {
   return logged(log_, [&] {
     if (path.extension() == ".checkpoint") {
-      resume({read_checkpoint(path)}, path);
+      resume({io::read_checkpoint(path)}, path);
     } else {
       Comparison opened;
       std::vector<std::string> notes;
-      opened.set_only(Setup(read_config(path, &notes)));
+      opened.set_only(Setup(io::read_config(path, &notes)));
       for (const std::string& note : notes) log_.information(note);
       std::vector<Config> configs = opened.configs_to_create();
       show(std::move(opened), path);
@@ -173,7 +178,7 @@ void Studio::show(Comparison comparison, const fs::path& file) {
   kept_.start_from(file_, comparison_.config(0));
 }
 
-void Studio::resume(std::vector<Saved> saved, const fs::path& file) {
+void Studio::resume(std::vector<io::Saved> saved, const fs::path& file) {
   Comparison resumed;
   for (std::size_t i = 0; i < saved.size(); ++i) {
     if (i > 0) resumed.add_copy_of(0);
@@ -188,7 +193,7 @@ void Studio::resume(std::vector<Saved> saved, const fs::path& file) {
 bool Studio::save_config(const fs::path& path) {
   return logged(log_, [&] {
     Config config = comparison_.config(active_);
-    write_config(path, config);
+    io::write_config(path, config);
     comparison_.setup(active_).set_title(config.title);  // it and the file speak of this model from now on
     kept_.setup_saved(path, std::move(config));
     file_ = path;
@@ -198,7 +203,7 @@ bool Studio::save_config(const fs::path& path) {
 }
 
 void Studio::remember_file() {
-  if (is_stream(file_)) return;
+  if (io::is_stream(file_)) return;
   settings_.add_recent(file_);
   settings_.last_folder = fs::absolute(file_).parent_path().string();
 }
@@ -270,7 +275,7 @@ void Studio::watch_export() {
   exported_.reset();  // it holds the terrains of all runs
 }
 
-Provenance Studio::provenance() const {
+io::Provenance Studio::provenance() const {
   const RunSnapshot* run = active_run();
   if (run == nullptr) return provenance_of(comparison_.setup(active_).config(), 0, "none", 0);
   return provenance_of(*run->config, run->step, run->executor, run->threads);
@@ -319,4 +324,4 @@ std::string Studio::rescue() {
   return "the runs are saved in " + session_->folder().string() + "; the next start offers them";
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -21,7 +21,7 @@
 #include "session/settings.h"
 #include "session/snapshot.h"
 
-namespace erg {
+namespace erg::session {
 
 /// Where things are kept. An empty folder: nothing is kept.
 struct StudioFolders {
@@ -96,7 +96,7 @@ class Studio {
   /// The export under way or just ended; null when there was none.
   Export* running_export() { return export_.get(); }
   /// Where a file about the active run says it comes from.
-  Provenance provenance() const;
+  io::Provenance provenance() const;
 
   /// Sessions that a crash left behind. One stays until its runs are made anew, or it is discarded.
   const std::vector<LostSession>& lost_sessions() const { return lost_; }
@@ -111,14 +111,14 @@ class Studio {
   std::string rescue();
 
  private:
-  void hand_over(std::vector<Config> configs);
+  void hand_over(std::vector<sim::Config> configs);
   void await_creation();
   void take_over_creation();
   void apply_edits();
   void watch_export();
   void take_over_lost();
   void show(Comparison comparison, const std::filesystem::path& file);
-  void resume(std::vector<Saved> saved, const std::filesystem::path& file);
+  void resume(std::vector<io::Saved> saved, const std::filesystem::path& file);
   void keep_settings();
   void remember_file();
 
@@ -138,8 +138,8 @@ class Studio {
   std::size_t active_ = 0;
   std::filesystem::path file_;
   KeptWork kept_;
-  std::vector<Config> handed_over_;     // what the runner was last given
-  std::uint64_t creation_awaited_ = 0;  // the number of the command that makes what was asked for; 0: it is there
+  std::vector<sim::Config> handed_over_;  // what the runner was last given
+  std::uint64_t creation_awaited_ = 0;    // the number of the command that makes what was asked for; 0: it is there
   std::optional<Before> before_opening_;
   std::optional<LostSession> recovering_;  // until its runs are made
   bool play_when_made_ = false;
@@ -155,4 +155,4 @@ class Studio {
   std::vector<LostSession> lost_;
 };
 
-}  // namespace erg
+}  // namespace erg::session

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace erg {
+namespace erg::session {
 
 std::string local_time(const char* form, std::time_t moment) {
   std::tm local{};
@@ -18,4 +18,4 @@ std::filesystem::path path_from_environment(const char* name) {
   return path.is_absolute() ? path : std::filesystem::path();
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::session {
 namespace {
 
 /// The summed strength of a season's steps [first, last); exact up to `most_samples` steps, sampled evenly beyond.
@@ -86,4 +86,4 @@ WindRecord WindRecord::of(const Regime& regime, std::int64_t steps) {
   return record;
 }
 
-}  // namespace erg
+}  // namespace erg::session

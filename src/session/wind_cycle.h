@@ -8,7 +8,7 @@
 
 #include "forcing/regime.h"
 
-namespace erg {
+namespace erg::session {
 
 /// The wind over one cycle of its seasons.
 struct WindCycle {
@@ -46,4 +46,4 @@ struct WindRecord {
   bool operator==(const WindRecord&) const = default;
 };
 
-}  // namespace erg
+}  // namespace erg::session

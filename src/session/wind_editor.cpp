@@ -7,7 +7,7 @@
 #include "forcing/bearing.h"
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::session {
 namespace {
 
 using Place = std::ptrdiff_t;
@@ -17,7 +17,7 @@ std::string season_place(std::size_t index) { return "season " + std::to_string(
 bool in_unit_square(const CurvePoint& point) { return point.x >= 0 && point.x <= 1 && point.y >= 0 && point.y <= 1; }
 
 std::optional<Mistake> set_strength(double& held, double strength, const std::string& place) {
-  if (auto mistake = check_value(strength_parameter(), strength, place)) return mistake;
+  if (auto mistake = check_value(sim::strength_parameter(), strength, place)) return mistake;
   held = strength;
   return std::nullopt;
 }
@@ -77,25 +77,25 @@ std::optional<Mistake> WindEditor::set_last(std::size_t index, double strength) 
 }
 
 std::optional<Mistake> WindEditor::set_steps(std::size_t index, std::int64_t steps) {
-  if (auto mistake = check_value(season_steps_parameter(), steps, season_place(index))) return mistake;
+  if (auto mistake = check_value(sim::season_steps_parameter(), steps, season_place(index))) return mistake;
   regime_->seasons.at(index).steps = steps;
   return std::nullopt;
 }
 
 std::optional<Mistake> WindEditor::set_spread(std::size_t index, double degrees) {
-  if (auto mistake = check_value(season_spread_parameter(), degrees, season_place(index))) return mistake;
+  if (auto mistake = check_value(sim::season_spread_parameter(), degrees, season_place(index))) return mistake;
   regime_->seasons.at(index).spread = degrees;
   return std::nullopt;
 }
 
 std::optional<Mistake> WindEditor::set_hold(std::size_t index, std::int64_t steps) {
-  if (auto mistake = check_value(season_hold_parameter(), steps, season_place(index))) return mistake;
+  if (auto mistake = check_value(sim::season_hold_parameter(), steps, season_place(index))) return mistake;
   regime_->seasons.at(index).hold = steps;
   return std::nullopt;
 }
 
 std::optional<Mistake> WindEditor::set_snowfall(std::size_t index, double snowfall) {
-  if (auto mistake = check_value(season_snowfall_parameter(), snowfall, season_place(index))) return mistake;
+  if (auto mistake = check_value(sim::season_snowfall_parameter(), snowfall, season_place(index))) return mistake;
   regime_->seasons.at(index).snowfall = snowfall;
   return std::nullopt;
 }
@@ -111,4 +111,4 @@ std::optional<Mistake> WindEditor::set_curve(std::size_t index, const BezierCurv
   return std::nullopt;
 }
 
-}  // namespace erg
+}  // namespace erg::session

@@ -12,7 +12,7 @@
 #include "core/errors.h"
 #include "forcing/regime.h"
 
-namespace erg {
+namespace erg::session {
 
 /// What is wrong with a curve that people bend: its control points must lie in the unit square.
 std::optional<Mistake> check_curve(const BezierCurve& curve, const std::string& place);
@@ -61,4 +61,4 @@ class WindEditor {
   Regime standard_;
 };
 
-}  // namespace erg
+}  // namespace erg::session

@@ -8,7 +8,7 @@
 #include "forcing/bearing.h"
 #include "models/model.h"
 
-namespace erg {
+namespace erg::sim {
 namespace {
 
 constexpr const char* default_model = "momiji";
@@ -321,4 +321,4 @@ void change_model(Config& config, const std::string& model_key) {
 
 void set_from_text(Config& config, const std::string& assignment) { Assignment(config, assignment).apply(); }
 
-}  // namespace erg
+}  // namespace erg::sim

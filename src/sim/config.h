@@ -8,11 +8,9 @@
 #include "core/terrain.h"
 #include "forcing/regime.h"
 #include "forcing/temperature.h"
-#include "models/model_start.h"
+#include "models/model.h"
 
-namespace erg {
-
-struct ModelType;
+namespace erg::sim {
 
 /// The version of the config format that this program writes; it reads this one.
 inline constexpr int config_version = 1;
@@ -84,4 +82,4 @@ std::vector<std::string> model_keys();
 /// Throws InputError.
 void set_from_text(Config& config, const std::string& assignment);
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace erg {
+namespace erg::sim {
 
 void FluxWatch::stepped() {
   if (++steps_ < steps_of_mean) return;
@@ -30,4 +30,4 @@ Field FluxWatch::mean() const {
   return field;
 }
 
-}  // namespace erg
+}  // namespace erg::sim

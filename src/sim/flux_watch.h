@@ -5,7 +5,7 @@
 
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::sim {
 
 /// Counts, over some steps, how many quanta are lifted from each cell.
 class FluxWatch {
@@ -30,4 +30,4 @@ class FluxWatch {
   int last_steps_ = 0;              // in last_counts_: 0 or all
 };
 
-}  // namespace erg
+}  // namespace erg::sim

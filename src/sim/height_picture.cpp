@@ -6,7 +6,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::sim {
 namespace {
 
 /// A cell is without data where more of it was not measured.
@@ -185,4 +185,4 @@ const Grid<float>& on_grid(const HeightPicture& picture, Extent extent, Grid<flo
   return resampled;
 }
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -9,7 +9,7 @@
 
 #include "core/grid.h"
 
-namespace erg {
+namespace erg::sim {
 
 /// Heights of a picture's black and white points, m.
 struct HeightRange {
@@ -81,4 +81,4 @@ Grid<float> resample(const HeightPicture& picture, Extent extent);
 /// that is empty or has values outside of 0 to 1.
 const Grid<float>& on_grid(const HeightPicture& picture, Extent extent, Grid<float>& resampled);
 
-}  // namespace erg
+}  // namespace erg::sim

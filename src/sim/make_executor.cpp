@@ -25,7 +25,7 @@ const std::vector<std::string>& executor_names() {
 
 std::unique_ptr<Executor> make_executor(const ExecutorOptions& options) {
   ExecutorOptions chosen = options;
-  if (chosen.threads <= 0) chosen.threads = allowed_threads();
+  if (chosen.threads <= 0) chosen.threads = process::allowed_threads();
   if (options.name == "auto") return make_fastest(chosen);
   if (options.name == "serial" || options.name == "cpu") return std::make_unique<Executor>(chosen);
   if (options.name == "cuda") return make_cuda_executor(chosen, cuda_api(), cuda_entry);

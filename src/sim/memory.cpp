@@ -8,7 +8,7 @@
 #include "models/model.h"
 #include "process/allowance.h"
 
-namespace erg {
+namespace erg::sim {
 namespace {
 
 /// What a run takes beside what grows with its grid: threads, tables, pictures.
@@ -65,7 +65,7 @@ Size largest_that_fits(Size wanted, std::uint64_t cells) {
 
 std::uint64_t memory_of_run(const Config& config) { return size_of(config).cells() * bytes_a_cell({&config, 1}, 0); }
 
-std::uint64_t free_memory() { return allowed_memory(); }
+std::uint64_t free_memory() { return process::allowed_memory(); }
 
 std::string memory_text(std::uint64_t bytes) {
   constexpr double gibi = 1024.0 * 1024 * 1024;
@@ -92,4 +92,4 @@ std::string problem_of(const std::exception& error) {
   return "there is not enough memory for this; take a smaller grid or close other programs";
 }
 
-}  // namespace erg
+}  // namespace erg::sim

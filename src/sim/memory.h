@@ -8,7 +8,7 @@
 
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::sim {
 
 /// Bytes that a run of this config takes at most while it steps: the terrain, the executor's planes, what the model
 /// keeps. What does not grow with the grid is left out. tests/cli/trust_test.cpp holds it against what runs take.
@@ -27,4 +27,4 @@ void check_memory(std::span<const Config> configs, int copies, std::uint64_t fre
 /// What went wrong, for people: the error's own text, or that the memory did not suffice.
 std::string problem_of(const std::exception& error);
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -6,7 +6,7 @@
 #include "forcing/bearing.h"
 #include "models/model.h"
 
-namespace erg {
+namespace erg::sim {
 namespace {
 
 /// What is wrong with a group's values as those that are declared here.
@@ -158,4 +158,4 @@ void check_state(const Config& config, double quantum, const RunState& state) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -8,7 +8,7 @@
 
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::sim {
 
 /// The highest a surface may stand, and the lowest bedrock may lie, in quanta either side of 0: differences of heights
 /// are 32-bit numbers too.
@@ -38,4 +38,4 @@ std::optional<std::string> ledger_problem(const Terrain& terrain);
 /// Throws InputError where a run of this config cannot go on from the state.
 void check_state(const Config& config, double quantum, const RunState& state);
 
-}  // namespace erg
+}  // namespace erg::sim

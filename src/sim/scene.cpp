@@ -10,7 +10,7 @@
 
 #include "core/random.h"
 
-namespace erg {
+namespace erg::sim {
 namespace {
 
 // Scenes are drawn before the first step, with draws of their own.
@@ -257,4 +257,4 @@ Terrain build_scene(const Config& config, double quantum, const HeightPicture* p
   return SceneBuilder(config, quantum).build(picture);
 }
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -5,7 +5,7 @@
 #include "sim/config.h"
 #include "sim/height_picture.h"
 
-namespace erg {
+namespace erg::sim {
 
 /// Heights of the picture's black and white points: the scene's, or what the picture says of itself where the scene
 /// sets neither `image_low` nor `image_high`.
@@ -16,4 +16,4 @@ HeightRange image_heights(const ParameterValues& scene, const HeightPicture& pic
 /// scene, already read (this layer reads no files), resampled here to the grid; null for all other kinds.
 Terrain build_scene(const Config& config, double quantum, const HeightPicture* picture = nullptr);
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -6,7 +6,7 @@
 
 #include "sim/run_check.h"
 
-namespace erg {
+namespace erg::sim {
 namespace {
 
 ExecutorOptions executor_options(const ParameterValues& run) {
@@ -158,4 +158,4 @@ const RunState& Simulation::state() {
   return state_;
 }
 
-}  // namespace erg
+}  // namespace erg::sim

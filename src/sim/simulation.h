@@ -11,7 +11,7 @@
 #include "sim/flux_watch.h"
 #include "sim/scene.h"
 
-namespace erg {
+namespace erg::sim {
 
 /// The part of a run that a checkpoint holds besides its config.
 struct RunState {
@@ -86,4 +86,4 @@ class Simulation {
   bool edited_ = false;  // since the last step or book_edit
 };
 
-}  // namespace erg
+}  // namespace erg::sim

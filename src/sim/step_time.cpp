@@ -6,7 +6,7 @@
 #include "core/units.h"
 #include "forcing/mean_wind.h"
 
-namespace erg {
+namespace erg::sim {
 namespace {
 
 constexpr double seconds_an_hour = 3600;
@@ -60,4 +60,4 @@ std::vector<std::string> explain(const Config& config) {
   return lines;
 }
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -7,7 +7,7 @@
 #include "models/model.h"
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::sim {
 
 /// What a step of this config stands for: by its model, cells and the mean strength of its wind over the cycle. All
 /// steps stand for the same time; in a season that is stronger than the mean, more sand moves in it.
@@ -22,4 +22,4 @@ std::string world_time_text(double seconds);
 /// What the config's values mean, in words for people: in slabs and cells (ModelType::explain), and what a step is.
 std::vector<std::string> explain(const Config& config);
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -110,7 +110,7 @@ TEST(GivenFiles, AWordOfAnotherCaseIsMetByTheRightOne) {
 }
 
 std::string metre_entry(const fs::path& png, const std::string& key) {
-  for (const auto& [name, text] : read_png_metadata(png)) {
+  for (const auto& [name, text] : io::read_png_metadata(png)) {
     if (name == key) return text;
   }
   return "none";
@@ -136,7 +136,7 @@ TEST(GivenFiles, AHeightmapThatErgWroteIsTheSameGroundAgain) {
   }
   const auto pixels = [](const std::string& path) {
     std::vector<std::uint16_t> all;
-    PngReader(path).read_rows(
+    io::PngReader(path).read_rows(
         [&](int, std::span<const std::uint16_t> row) { all.insert(all.end(), row.begin(), row.end()); });
     return all;
   };

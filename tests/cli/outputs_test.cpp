@@ -130,14 +130,14 @@ TEST(Outputs, AFilmOfAnyNameIsAskedFor) {
 
 /// Snow that rises higher than is counted after some hundred steps.
 std::string deep_snow() {
-  Config config("snow_sintering");
+  sim::Config config("snow_sintering");
   config.grid.set("nx", std::int64_t{16});
   config.grid.set("ny", std::int64_t{16});
   config.parameters.set("slab_height", 0.001);
   config.parameters.set("time_step", 3600.0);
   config.parameters.set("snowfall", 200.0);
   config.run.set("steps", std::int64_t{1000});
-  return config_text(config);
+  return io::config_text(config);
 }
 
 /// The command after "Go on with: erg ", as a shell takes it apart.
@@ -162,7 +162,7 @@ TEST(FailsOnTheWay, SnowTooHighLeavesWhatWasReachedAndTheWayOn) {
   EXPECT_TRUE(ended.errors.starts_with("terrain: it has grown to")) << ended.errors;
   const Words words = way_on(folder, ended.errors);
   ASSERT_GE(words.size(), 3u) << ended.errors;
-  const Saved saved = read_checkpoint(folder.path() / words[2]);
+  const io::Saved saved = io::read_checkpoint(folder.path() / words[2]);
   EXPECT_GT(saved.state.step, 10);
   // The state is that of a run which ended there.
   const std::string steps = std::to_string(saved.state.step);

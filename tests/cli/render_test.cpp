@@ -66,7 +66,8 @@ TEST(Render, DrawsAConfigAndACheckpointAlike) {
   EXPECT_EQ(second.output, "");
   EXPECT_EQ(read_bytes(folder.file("a.png")), read_bytes(folder.file("b.png")));
   bool told = false;
-  for (const auto& [name, text] : read_png_metadata(folder.file("b.png"))) told |= name == "erg:step" && text == "12";
+  for (const auto& [name, text] : io::read_png_metadata(folder.file("b.png")))
+    told |= name == "erg:step" && text == "12";
   EXPECT_TRUE(told) << "the picture says what it shows";
 }
 

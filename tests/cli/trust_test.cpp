@@ -16,6 +16,10 @@
 #include "sim/memory.h"
 
 namespace erg::test {
+
+using io::read_checkpoint;
+using sim::Config;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,7 +53,7 @@ void expect_whole(const fs::path& path) {
   if (kind == ".checkpoint") {
     EXPECT_NO_THROW(read_checkpoint(path));
   } else if (kind == ".png") {
-    EXPECT_NO_THROW(PngReader(path).read_rows([](int, std::span<const std::uint16_t>) {}));
+    EXPECT_NO_THROW(io::PngReader(path).read_rows([](int, std::span<const std::uint16_t>) {}));
   } else if (kind == ".json") {
     EXPECT_NO_THROW(read_json(path));
   } else if (kind == ".csv") {
@@ -296,7 +300,7 @@ double taken_a_cell(const ScratchFolder& folder, const Config& config) {
     Config sized = config;
     sized.grid.set("nx", side);
     sized.grid.set("ny", side);
-    folder.write("sized.json", config_text(sized));
+    folder.write("sized.json", io::config_text(sized));
     const Ended ended = run_erg(folder, {"run", "sized.json", "--quiet"});
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
     return static_cast<double>(ended.most_memory);
@@ -312,9 +316,9 @@ TEST(ShortMemory, WhatIsSaidOfARunsNeedIsSo) {
     config.run.set("executor", std::string("cpu"));
     config.run.set("threads", std::int64_t{2});
     config.run.set("steps", std::int64_t{1});
-    set_from_text(config, "wind.bearing=240");  // along the grid some models take less
+    sim::set_from_text(config, "wind.bearing=240");  // along the grid some models take less
     const double cells = static_cast<double>(config.grid.integer("nx") * config.grid.integer("ny"));
-    const double said = static_cast<double>(memory_of_run(config)) / cells;
+    const double said = static_cast<double>(sim::memory_of_run(config)) / cells;
     const double taken = taken_a_cell(folder, config);
     EXPECT_GT(said, taken);
     EXPECT_LT(said, 1.35 * taken);

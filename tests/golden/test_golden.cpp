@@ -9,6 +9,9 @@
 #include "sim/simulation.h"
 
 namespace erg {
+
+using sim::set_from_text;
+
 namespace {
 
 struct Golden {
@@ -54,14 +57,14 @@ std::vector<Golden> golden_runs() {
 }
 
 std::string hash_after(const Golden& golden, const std::string& executor, int threads) {
-  Config config;
+  sim::Config config;
   set_from_text(config, "wind.spread=0");
   for (const std::string& setting : golden.settings) set_from_text(config, setting);
   for (const std::string& setting : {std::string("grid.nx=96"), std::string("grid.ny=80"), std::string("run.seed=42"),
                                      "run.executor=" + executor, "run.threads=" + std::to_string(threads)}) {
     set_from_text(config, setting);
   }
-  Simulation simulation(config);
+  sim::Simulation simulation(config);
   for (int step = 0; step < golden.steps; ++step) simulation.step();
   std::ostringstream text;
   text << std::hex << std::setfill('0') << std::setw(16) << state_hash(simulation.terrain());

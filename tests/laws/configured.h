@@ -10,10 +10,10 @@
 namespace erg::test {
 
 /// A config of the model with these settings (as for `--set`), for lands so small that one thread is the fastest.
-inline Config configured(const std::string& model, const std::vector<std::string>& settings) {
-  Config config(model);
-  set_from_text(config, "run.threads=1");
-  for (const std::string& setting : settings) set_from_text(config, setting);
+inline sim::Config configured(const std::string& model, const std::vector<std::string>& settings) {
+  sim::Config config(model);
+  sim::set_from_text(config, "run.threads=1");
+  for (const std::string& setting : settings) sim::set_from_text(config, setting);
   return config;
 }
 

@@ -57,10 +57,10 @@ struct GrainRun {
     }
     return total;
   }
-  CoarseSurface surface() const { return coarse_surface(terrain, Layer::surface); }
+  analysis::CoarseSurface surface() const { return analysis::coarse_surface(terrain, analysis::Layer::surface); }
   /// Cells a step along the wind.
   double downwind_speed(double bearing) const {
-    const Shift velocity = migration.velocity().value_or(Shift{});
+    const analysis::Shift velocity = migration.velocity().value_or(analysis::Shift{});
     const Direction toward = downwind(bearing);
     return velocity.x * toward.x + velocity.y * toward.y;
   }
@@ -76,7 +76,7 @@ struct GrainRun {
   Terrain terrain;
   std::unique_ptr<Executor> executor;
   std::uint64_t step = 0;
-  MigrationTracker migration;
+  analysis::MigrationTracker migration;
 };
 
 }  // namespace erg::test

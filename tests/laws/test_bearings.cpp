@@ -7,6 +7,10 @@
 #include "sim/simulation.h"
 
 namespace erg::test {
+
+using analysis::asymmetry;
+using analysis::DuneMap;
+
 namespace {
 
 constexpr double bearing = 285;  // where the lean is worst
@@ -16,20 +20,20 @@ constexpr int steps = 384;       // whole rounds of draws: six times sixteen dra
 DuneMap mean_barchan(double spread) {
   std::vector<DuneMap> maps;
   for (const char* seed : {"1", "2", "3"}) {
-    Config config("momiji");
+    sim::Config config("momiji");
     for (const std::string& setting :
          {std::string("scene.kind=cone"), std::string("scene.sand=0"), std::string("scene.height=12"),
           std::string("scene.radius=36"), std::string("run.executor=cpu"), std::string("run.threads=1"),
           std::string("run.seed=") + seed}) {
-      set_from_text(config, setting);
+      sim::set_from_text(config, setting);
     }
     config.wind.seasons.front().bearing = bearing;
     config.wind.seasons.front().spread = spread;
-    Simulation simulation(config);
+    sim::Simulation simulation(config);
     while (simulation.step_count() < steps) simulation.step();
-    maps.push_back(dune_map(simulation.terrain(), bearing, 90));
+    maps.push_back(analysis::dune_map(simulation.terrain(), bearing, 90));
   }
-  return mean_map(maps);
+  return analysis::mean_map(maps);
 }
 
 TEST(Bearings, ASpreadKeepsABarchanFromLeaning) {

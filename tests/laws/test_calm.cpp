@@ -5,6 +5,11 @@
 #include "sim/simulation.h"
 
 namespace erg {
+
+using sim::Config;
+using sim::set_from_text;
+using sim::Simulation;
+
 namespace {
 
 Config small(const std::string& model, const std::string& executor) {

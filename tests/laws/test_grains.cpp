@@ -13,6 +13,12 @@
 #include "sim/simulation.h"
 
 namespace erg::test {
+
+using analysis::crest_spacing;
+using analysis::measure;
+using analysis::measure_spectrum;
+using sim::Config;
+
 namespace {
 
 const GrainSettings by_friction = {{"strength_is", std::string("friction_velocity")}};
@@ -21,7 +27,7 @@ TEST(Grains, RipplesLieAcrossTheWindAndMoveDownwind) {
   for (const double bearing : {270.0, 235.0, 180.0}) {
     GrainRun run(by_friction, {48, 48});
     run.steps(40, {bearing, 0.4});
-    const SpectrumNumbers numbers = measure_spectrum(run.surface());
+    const analysis::SpectrumNumbers numbers = measure_spectrum(run.surface());
     ASSERT_TRUE(numbers.crest_bearing) << bearing;
     EXPECT_LE(std::abs(std::remainder(*numbers.crest_bearing - bearing - 90, 180.0)), 10) << bearing;
     EXPECT_GT(numbers.alignment, 0.4) << bearing;
@@ -51,7 +57,7 @@ double young_spacing(double friction, double reptation_wind) {
   settings.emplace_back("reptation_wind", reptation_wind);
   GrainRun run(settings, {256, 48});
   run.steps(20, {270, friction});
-  return crest_spacing(coarse_surface(run.terrain, Layer::surface, {256, 4}), 270);
+  return crest_spacing(analysis::coarse_surface(run.terrain, analysis::Layer::surface, {256, 4}), 270);
 }
 
 TEST(Grains, RipplesOfAYoungBedLengthenWithTheWind) {
@@ -142,15 +148,15 @@ Terrain scene_bed(const std::string& kind) {
   config.scene.set("wavelength", 24.0);
   config.scene.set("radius", 16.0);
   config.scene.set("image_high", 0.05);
-  HeightPicture picture(Extent{12, 10});
+  sim::HeightPicture picture(Extent{12, 10});
   for (int y = 0; y < 10; ++y) {
     for (int x = 0; x < 12; ++x) picture(x, y) = (x < 6) == (y < 5) ? 1.0f : 0.2f;
   }
-  return build_scene(config, GrainModel(grain_values()).quantum(), &picture);
+  return sim::build_scene(config, GrainModel(grain_values()).quantum(), &picture);
 }
 
 TEST(Grains, BlowOverEveryKindOfGround) {
-  const std::vector<std::string> kinds = scene_parameters().front().choices;
+  const std::vector<std::string> kinds = sim::scene_parameters().front().choices;
   for (const std::string& kind : kinds) {
     const Terrain before = scene_bed(kind);
     GrainRun run({}, before);
@@ -321,7 +327,7 @@ TEST(Grains, PathsAreKeptUnderAnotherConfigToo) {
   Config config("grains");
   config.grid.set("nx", std::int64_t{32});
   config.grid.set("ny", std::int64_t{32});
-  Simulation run(config);
+  sim::Simulation run(config);
   run.keep_paths(10);
   config.parameters.set("splash", 0.5);
   run.change(config);

@@ -9,10 +9,17 @@
 #include "sim/simulation.h"
 
 namespace erg {
+
+using analysis::coarse_surface;
+using analysis::Layer;
+using analysis::measure_spectrum;
+using analysis::SpectrumNumbers;
+using sim::Simulation;
+
 namespace {
 
 Simulation momiji_under(const std::vector<Season>& seasons) {
-  Config config = test::configured("momiji", {"grid.nx=256", "grid.ny=160", "scene.sand=8", "run.executor=cpu"});
+  sim::Config config = test::configured("momiji", {"grid.nx=256", "grid.ny=160", "scene.sand=8", "run.executor=cpu"});
   config.wind.seasons = seasons;
   Simulation simulation(config);
   for (int step = 0; step < 1500; ++step) simulation.step();
@@ -28,7 +35,7 @@ TEST(LinearDunes, RunAlongTheMeanOfTwoWindsAndAreLong) {
   ASSERT_TRUE(crests.crest_bearing);
   EXPECT_NEAR(*crests.crest_bearing, 90, 10);
   EXPECT_GT(crests.alignment, 0.7);
-  EXPECT_GE(find_dunes(simulation.terrain(), 270).endless, 1) << "a ridge longer than the land";
+  EXPECT_GE(analysis::find_dunes(simulation.terrain(), 270).endless, 1) << "a ridge longer than the land";
 }
 
 TEST(LinearDunes, OneWindMakesNone) {

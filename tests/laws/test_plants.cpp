@@ -10,6 +10,15 @@
 #include "sim/simulation.h"
 
 namespace erg {
+
+using analysis::Dune;
+using analysis::DuneMeans;
+using analysis::find_dunes;
+using analysis::mean_of_dunes;
+using sim::Config;
+using sim::set_from_text;
+using sim::Simulation;
+
 namespace {
 
 using test::field;

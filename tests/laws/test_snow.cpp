@@ -10,6 +10,13 @@
 #include "sim/simulation.h"
 
 namespace erg {
+
+using analysis::bedform_name;
+using analysis::BedformShape;
+using analysis::measure_bedforms;
+using sim::Config;
+using sim::Simulation;
+
 namespace {
 
 using test::configured;
@@ -158,7 +165,7 @@ TEST(SnowSintering, AGaleTurnsTheWavesOfAStormIntoSastrugi) {
   EXPECT_EQ(bedform_name(gale), "sastrugi");
   EXPECT_GT(gale.across, storm.across + 0.15);
   // Without bonding in the calm the same gale drifts the waves, and carves nothing.
-  set_from_text(config, "parameters.bonding_time=1000000");
+  sim::set_from_text(config, "parameters.bonding_time=1000000");
   Simulation loose(config);
   while (loose.step_count() < 360 + 960 + 360) loose.step();
   EXPECT_NE(bedform_name(measure_bedforms(loose.terrain(), 270)), "sastrugi");
@@ -206,7 +213,7 @@ MoundFate mound_fate(int radius, const std::string& height, bool bonds) {
                                     "scene.sand=0", "scene.height=" + height, "scene.radius=" + std::to_string(radius),
                                     "wind.strength=9", bonds ? "bonding_time=12" : "bonding_time=1000000"}));
   const Grid<std::int32_t> before = simulation.terrain().mobile();
-  const auto middle = [&] { return heap_middle(simulation.terrain().mobile(), radius); };
+  const auto middle = [&] { return analysis::heap_middle(simulation.terrain().mobile(), radius); };
   MoundFate fate;
   for (int hour = 1; hour <= 12; ++hour) {
     const double start = middle();

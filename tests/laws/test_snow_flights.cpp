@@ -147,16 +147,16 @@ struct Account {
 
 /// Loose snow in a fresh wind, or bonded snow in a gale.
 Account account(const std::string& executor, bool gale, int bearing) {
-  Config config("snow_sintering");
+  sim::Config config("snow_sintering");
   const std::string hours = gale ? "60" : "0";
   const std::string wind = gale ? "22" : "16";
   for (const std::string& setting :
        {std::string("grid.nx=192"), std::string("grid.ny=160"), std::string("grid.cell_size=0.1"),
         std::string("scene.sand=60"), std::string("run.sweeps=8"), "run.executor=" + executor,
         "parameters.start_age=" + hours, "wind.strength=" + wind, "wind.bearing=" + std::to_string(bearing)}) {
-    set_from_text(config, setting);
+    sim::set_from_text(config, setting);
   }
-  Simulation simulation(config);
+  sim::Simulation simulation(config);
   for (int step = 0; step < 25; ++step) simulation.step();
   const StepReport& report = simulation.totals();
   const Terrain& terrain = simulation.terrain();

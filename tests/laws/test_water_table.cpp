@@ -9,6 +9,10 @@
 #include "world.h"
 
 namespace erg::test {
+
+using sim::Config;
+using sim::memory_of_run;
+
 namespace {
 
 // Before the laws ask the catalogue for the models that they loop over.

@@ -8,6 +8,8 @@
 
 namespace erg::test {
 
+using picture::RgbImage;
+
 Difference difference(const RgbImage& first, const RgbImage& second) {
   if (first.width != second.width || first.height != second.height) return {255, 255};
   constexpr int block = 4;
@@ -31,7 +33,7 @@ Difference difference(const RgbImage& first, const RgbImage& second) {
 }
 
 RgbImage read_picture(const std::filesystem::path& path) {
-  PngReader png(path);
+  io::PngReader png(path);
   if (png.channels() != 3) throw std::runtime_error("no picture in colours: " + path.string());
   RgbImage image;
   image.width = png.width();

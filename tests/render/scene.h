@@ -55,24 +55,24 @@ inline Terrain landscape() {
   return terrain;
 }
 
-inline TerrainView view_of(const Terrain& terrain) {
-  TerrainView view;
+inline render::TerrainView view_of(const Terrain& terrain) {
+  render::TerrainView view;
   view.terrain = &terrain;
   view.wind = 270;
   return view;
 }
 
 /// The context that draws on the processor, whatever cards there are; without OSMesa, EGL.
-inline const char* usual_context() { return has_osmesa() ? "osmesa" : "egl"; }
+inline const char* usual_context() { return render::has_osmesa() ? "osmesa" : "egl"; }
 
 /// How far two pictures are apart, as an eye at some distance sees them: blocks of 4 x 4 pixels are averaged first.
 struct Difference {
   double mean = 0;     ///< of 255, over all blocks and channels
   double largest = 0;  ///< of 255, of one block and channel
 };
-Difference difference(const RgbImage& first, const RgbImage& second);
+Difference difference(const picture::RgbImage& first, const picture::RgbImage& second);
 
 /// Reads a PNG with 8 bits a channel. Throws std::runtime_error when it is not there.
-RgbImage read_picture(const std::filesystem::path& path);
+picture::RgbImage read_picture(const std::filesystem::path& path);
 
 }  // namespace erg::test

@@ -6,13 +6,23 @@
 #include "core/errors.h"
 
 namespace erg::test {
+
+using picture::Camera;
+using render::camera_preset;
+using render::camera_presets;
+using render::eye;
+using render::keep_above;
+using render::orbit;
+using render::PicturePoint;
+
 namespace {
 
-const LandBox land{400, 300, 0, 12};
+const render::LandBox land{400, 300, 0, 12};
 
 // Where a land point appears in the picture.
 PicturePoint seen(const Camera& camera, const Eigen::Vector3d& point, double aspect = 1.5) {
-  const Eigen::Vector4d clip = projection_matrix(camera, aspect, 1000) * view_matrix(camera) * point.homogeneous();
+  const Eigen::Vector4d clip =
+      render::projection_matrix(camera, aspect, 1000) * render::view_matrix(camera) * point.homogeneous();
   return {clip.x() / clip.w(), clip.y() / clip.w()};
 }
 
@@ -44,7 +54,7 @@ TEST(Camera, SightMeetsWhatIsSeenThere) {
   for (const std::string& name : camera_presets()) {
     const Camera camera = camera_preset(name, land, 1.5);
     const PicturePoint point{0.4, -0.3};
-    const Sight line = sight(camera, point, 1.5);
+    const render::Sight line = render::sight(camera, point, 1.5);
     const PicturePoint back = seen(camera, line.from + 1.1 * camera.distance * line.direction);
     EXPECT_NEAR(back.x, point.x, 1e-9) << name;
     EXPECT_NEAR(back.y, point.y, 1e-9) << name;
@@ -57,7 +67,7 @@ TEST(Camera, ZoomKeepsThePointUnderTheCursor) {
     const Eigen::Vector3d point(120, 200, 5);
     const PicturePoint before = seen(camera, point);
     const double distance = camera.distance;
-    zoom(camera, 0.5, point);
+    render::zoom(camera, 0.5, point);
     EXPECT_DOUBLE_EQ(camera.distance, 0.5 * distance);
     EXPECT_NEAR(seen(camera, point).x, before.x, 1e-9) << name;
     EXPECT_NEAR(seen(camera, point).y, before.y, 1e-9) << name;
@@ -81,7 +91,7 @@ TEST(Camera, OrbitKeepsTargetAndDistanceAndStopsAtThePoles) {
 TEST(Camera, PanMovesByTheShareOfThePicture) {
   Camera camera = camera_preset("top", land, 1.5);
   const Eigen::Vector3d point = land.middle();
-  pan(camera, 0.1, 0.2);
+  render::pan(camera, 0.1, 0.2);
   const PicturePoint after = seen(camera, point);
   EXPECT_NEAR(after.y, -2 * 0.2, 1e-9) << "the picture is 2 high";
   EXPECT_NEAR(after.x, -2 * 0.1 / 1.5, 1e-9);
@@ -90,16 +100,16 @@ TEST(Camera, PanMovesByTheShareOfThePicture) {
 TEST(Camera, FlyingMovesTheEyeAlongTheView) {
   Camera camera = camera_preset("oblique", land, 1.5);
   const Eigen::Vector3d before = eye(camera);
-  fly(camera, 30, 0, 0);
+  render::fly(camera, 30, 0, 0);
   EXPECT_NEAR((eye(camera) - before).norm(), 30, 1e-9);
   EXPECT_NEAR((eye(camera) - before).dot((land.middle() - before).normalized()), 30, 1e-9);
   const Eigen::Vector3d stands = eye(camera);
-  look_around(camera, 25, -3);
+  render::look_around(camera, 25, -3);
   EXPECT_NEAR((eye(camera) - stands).norm(), 0, 1e-9) << "looking round moves nothing";
 }
 
 TEST(Camera, IsNeverUnderTheGround) {
-  const GroundHeight hill = [](double east, double) { return 0.1 * east; };
+  const render::GroundHeight hill = [](double east, double) { return 0.1 * east; };
   for (double altitude = -60; altitude <= 90; altitude += 15) {
     Camera camera{.target = {200, 150, 0}, .bearing = 90, .altitude = altitude, .distance = 100};
     keep_above(camera, hill, 2);

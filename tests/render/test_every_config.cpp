@@ -12,13 +12,19 @@
 #include "scene.h"
 
 namespace erg::test {
+
+using io::Preset;
+using picture::RgbImage;
+using render::Renderer;
+using sim::Config;
+
 namespace {
 
 constexpr std::int64_t most_cells_a_side = 80;  // a few seconds for all of them
 constexpr int steps = 4;
 
 Config reduced(const std::filesystem::path& path) {
-  Config config = read_config(path);
+  Config config = io::read_config(path);
   for (const char* side : {"nx", "ny"}) {
     config.grid.set(side, std::min(config.grid.integer(side), most_cells_a_side));
   }
@@ -40,19 +46,20 @@ double largest_share(const RgbImage& image) {
 }
 
 TEST(EveryConfig, IsLoadedRunAndDrawn) {
-  const std::vector<Preset> presets = list_presets(std::filesystem::path(ERG_SOURCE_DIR) / "cfg");
+  const std::vector<Preset> presets = io::list_presets(std::filesystem::path(ERG_SOURCE_DIR) / "cfg");
   ASSERT_GE(presets.size(), 65u) << "those of cfg/, cfg/thesis and cfg/szabo2019";
-  const std::unique_ptr<GlContext> context = make_offscreen_context(usual_context());
+  const std::unique_ptr<render::GlContext> context = render::make_offscreen_context(usual_context());
   Renderer renderer;
   const auto top_view = [&renderer](const Terrain& terrain) {
-    Look look;
+    render::Look look;
     look.legend = false;
-    const TerrainView view = view_of(terrain);
-    return renderer.draw(view, look, camera_preset("top", Renderer::land_of(view, look), 1), {80, 80, 1}).opaque();
+    const render::TerrainView view = view_of(terrain);
+    return renderer.draw(view, look, render::camera_preset("top", Renderer::land_of(view, look), 1), {80, 80, 1})
+        .opaque();
   };
   for (const Preset& preset : presets) {
     SCOPED_TRACE(preset.name);
-    Simulation simulation = start_simulation(reduced(preset.path));
+    sim::Simulation simulation = io::start_simulation(reduced(preset.path));
     const RgbImage before = top_view(simulation.terrain());
     for (int step = 0; step < steps; ++step) simulation.step();
     const Terrain& terrain = simulation.terrain();

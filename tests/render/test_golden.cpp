@@ -16,6 +16,13 @@
 #include "sim/flux_watch.h"
 
 namespace erg::test {
+
+using picture::RgbImage;
+using render::has_osmesa;
+using render::Look;
+using render::make_offscreen_context;
+using render::Renderer;
+
 namespace {
 
 struct Shot {
@@ -50,7 +57,7 @@ const std::vector<Shot>& shots() {
 
 /// What leaves each cell of the land in some steps after Werner.
 Field flux_of(Terrain terrain) {
-  FluxWatch watch(terrain.extent());
+  sim::FluxWatch watch(terrain.extent());
   const ModelType& type = find_model("werner");
   const auto model = type.make(ParameterValues(type.parameters));
   const auto executor = make_executor({.name = "cpu", .threads = 1});
@@ -65,7 +72,7 @@ Field flux_of(Terrain terrain) {
 
 RgbImage shoot(const Shot& shot) {
   const Terrain terrain = landscape();
-  TerrainView view = view_of(terrain);
+  render::TerrainView view = view_of(terrain);
   const Field shadow = shadow_field(terrain, 270, shadow_fall(15, terrain.cell_size(), terrain.quantum()));
   static const Field flux = flux_of(terrain);
   view.fields = {&shadow, &flux};
@@ -73,7 +80,7 @@ RgbImage shoot(const Shot& shot) {
   Look look;
   shot.change(look);
   Renderer renderer;
-  const Camera camera = camera_preset(shot.camera, Renderer::land_of(view, look), 4.0 / 3);
+  const picture::Camera camera = render::camera_preset(shot.camera, Renderer::land_of(view, look), 4.0 / 3);
   return renderer.draw(view, look, camera, {160, 120, 2}).opaque();
 }
 
@@ -90,7 +97,7 @@ TEST_P(Golden, LooksAsItDid) {
   const auto context = make_offscreen_context(kind);
   const RgbImage drawn = shoot(shot);
   if (std::getenv("ERG_UPDATE_GOLDEN") != nullptr) {
-    write_png(path, drawn, {});
+    io::write_png(path, drawn, {});
     GTEST_SKIP() << "written: " << path;
   }
   const Difference apart = difference(drawn, read_picture(path));

@@ -10,6 +10,18 @@
 #include "scene.h"
 
 namespace erg::test {
+
+using picture::Camera;
+using picture::Colour;
+using picture::find_palette;
+using picture::RgbImage;
+using render::camera_preset;
+using render::Look;
+using render::Picture;
+using render::RenderEffort;
+using render::Renderer;
+using render::TerrainView;
+
 namespace {
 
 constexpr Colour magenta{1, 0, 0xee / 255.0f};
@@ -31,7 +43,7 @@ class Pictures : public testing::Test {
     return look;
   }
 
-  std::unique_ptr<GlContext> context_ = make_offscreen_context(usual_context());
+  std::unique_ptr<render::GlContext> context_ = render::make_offscreen_context(usual_context());
   Renderer renderer_;
 };
 

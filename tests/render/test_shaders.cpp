@@ -10,6 +10,10 @@
 #include "scene.h"
 
 namespace erg::test {
+
+using render::has_osmesa;
+using render::make_offscreen_context;
+
 namespace {
 
 class Shaders : public testing::Test {
@@ -18,7 +22,7 @@ class Shaders : public testing::Test {
 
   std::vector<Mistake> mistakes() const {
     try {
-      ShaderProgram(folder_.path(), "a.vert", "a.frag");
+      render::ShaderProgram(folder_.path(), "a.vert", "a.frag");
     } catch (const InputError& error) {
       return error.mistakes();
     }
@@ -26,7 +30,7 @@ class Shaders : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::unique_ptr<GlContext> context_ = make_offscreen_context(usual_context());
+  std::unique_ptr<render::GlContext> context_ = make_offscreen_context(usual_context());
   const std::string vertex_ = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
 };
 

@@ -8,8 +8,8 @@
 namespace erg::test {
 
 /// A small run: Werner on 48 x 40 cells, `executor` with two threads.
-inline Config small_config(const std::string& executor = "cpu", int seed = 3) {
-  Config config("werner");
+inline sim::Config small_config(const std::string& executor = "cpu", int seed = 3) {
+  sim::Config config("werner");
   config.grid.set("nx", std::int64_t{48});
   config.grid.set("ny", std::int64_t{40});
   config.scene.set("kind", std::string("random"));

@@ -5,6 +5,15 @@
 #include "small_config.h"
 
 namespace erg {
+
+using session::Activity;
+using session::BrushMaterial;
+using session::Log;
+using session::LogLevel;
+using session::Runner;
+using sim::Config;
+using sim::Simulation;
+
 namespace {
 
 using test::small_config;
@@ -13,7 +22,7 @@ struct EditsTest : testing::Test {
   Log log;
   Runner runner{log};
 
-  std::shared_ptr<const Snapshot> still() {
+  std::shared_ptr<const session::Snapshot> still() {
     runner.wait_until_still();
     return runner.snapshot();
   }
@@ -26,7 +35,7 @@ TEST_F(EditsTest, PaintedSandIsBookedToTheLastSlab) {
   const std::int64_t before = still()->runs[0].mass_now;
   runner.paint(0, {.x = 10, .y = 10, .radius = 5, .amount = 20}, 1);
   const auto painted = still();
-  const RunSnapshot& run = painted->runs[0];
+  const session::RunSnapshot& run = painted->runs[0];
   EXPECT_GT(run.mass_now, before);
   EXPECT_EQ(run.mass_drift(), 0);
   EXPECT_EQ(run.terrain->ledger().in, run.mass_now - before);
@@ -108,7 +117,7 @@ TEST_F(EditsTest, TheRoseKeepsWhatHasBlownWhateverIsSetLater) {
   runner.undo();
   EXPECT_EQ(still()->blown, turned->blown) << "undone, it has not blown";
   runner.reset();
-  EXPECT_EQ(still()->blown, WindRecord()) << "nothing has";
+  EXPECT_EQ(still()->blown, session::WindRecord()) << "nothing has";
 }
 
 TEST_F(EditsTest, WhatGrowsAfterUndoIsWhatWouldHaveGrown) {

@@ -10,6 +10,10 @@
 #include "small_config.h"
 
 namespace erg {
+
+using session::Activity;
+using sim::Config;
+
 namespace {
 
 using test::small_config;
@@ -47,14 +51,14 @@ Config faulty_config() {
   }();
   static_cast<void>(added);
   Config config = small_config();
-  change_model(config, "faulty");
+  sim::change_model(config, "faulty");
   return config;
 }
 
 struct FailuresTest : testing::Test {
   FailuresTest() { step_fails = begin_fails = false; }
 
-  std::shared_ptr<const Snapshot> still() {
+  std::shared_ptr<const session::Snapshot> still() {
     runner.wait_until_still();
     return runner.snapshot();
   }
@@ -69,14 +73,14 @@ struct FailuresTest : testing::Test {
     step_fails = false;
   }
   std::uint64_t straight_hash(int steps) const {
-    Simulation simulation(config);
+    sim::Simulation simulation(config);
     for (int step = 0; step < steps; ++step) simulation.step();
     return state_hash(simulation.terrain());
   }
 
   const Config config = faulty_config();
-  Log log;
-  Runner runner{log};
+  session::Log log;
+  session::Runner runner{log};
 };
 
 TEST_F(FailuresTest, OfAThreadOfTheExecutorTakeTheRunsBackToTheLastWholeStep) {
@@ -106,7 +110,7 @@ TEST_F(FailuresTest, ThatCannotBeTakenBackAtOnceAreNeitherShownNorGoneOnFrom) {
   runner.paint(0, {.x = 4, .y = 4, .radius = 2, .amount = 3}, 1);
   runner.change({config});
   EXPECT_EQ(state_hash(*still()->runs[0].terrain), whole);
-  EXPECT_EQ(log.count(LogLevel::error), 3u) << log.text();
+  EXPECT_EQ(log.count(session::LogLevel::error), 3u) << log.text();
   // As soon as they can be had, it goes on.
   step_fails = begin_fails = false;
   runner.run(4);

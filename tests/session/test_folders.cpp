@@ -8,13 +8,25 @@
 #include "session/settings.h"
 
 namespace erg {
+
+using session::FolderListing;
+using session::list_folder;
+using session::read_settings;
+using session::save_question;
+using session::SaveQuestion;
+using session::Settings;
+using session::settings_folder;
+using session::typed_path;
+using session::with_ending;
+using session::write_settings;
+
 namespace {
 
 namespace fs = std::filesystem;
 
 std::vector<std::string> names(const FolderListing& listing) {
   std::vector<std::string> found;
-  for (const FolderEntry& entry : listing.entries) found.push_back(entry.name);
+  for (const session::FolderEntry& entry : listing.entries) found.push_back(entry.name);
   return found;
 }
 
@@ -77,7 +89,7 @@ TEST(Places, AreFoldersThatExist) {
   fs::create_directory(home / "Documents");
   ::setenv("HOME", home.path().c_str(), 1);
   std::vector<std::string> labels;
-  for (const Place& place : places("/nowhere")) {
+  for (const session::Place& place : session::places("/nowhere")) {
     EXPECT_TRUE(fs::is_directory(place.path)) << place.path;
     labels.push_back(place.label);
   }
@@ -149,7 +161,7 @@ TEST(Settings, LieWhereTheEnvironmentSays) {
   ::setenv("XDG_CONFIG_HOME", "/etc/xdg", 1);
   ::setenv("XDG_STATE_HOME", "/var/state", 1);
   EXPECT_EQ(settings_folder(), fs::path("/etc/xdg/erg"));
-  EXPECT_EQ(state_folder(), fs::path("/var/state/erg"));
+  EXPECT_EQ(session::state_folder(), fs::path("/var/state/erg"));
 }
 
 }  // namespace

@@ -9,6 +9,12 @@
 #include "small_config.h"
 
 namespace erg {
+
+using io::write_config;
+using session::KeptWork;
+using session::Leaves;
+using session::Studio;
+
 namespace {
 
 using test::small_config;
@@ -34,7 +40,7 @@ struct KeptWorkTest : testing::Test {
   }
   void export_as(const std::string& format) {
     studio.start_export(folder / ("kept." + format), format);
-    while (studio.running_export()->state() == Export::State::writing) studio.tick();
+    while (studio.running_export()->state() == session::Export::State::writing) studio.tick();
     studio.tick();
   }
   std::string unsaved(Leaves leaves = Leaves::everything) {
@@ -116,7 +122,7 @@ TEST_F(KeptWorkTest, OfComparedRunsTheOneThatWasEditedOrPaintedIsNamed) {
 TEST_F(KeptWorkTest, WhatTookLongToGrowIsWorkUntilItIsKept) {
   studio.runner().step();
   settle();
-  Snapshot now = studio.now();
+  session::Snapshot now = studio.now();
   KeptWork kept;
   kept.start_from("small.json", small_config());
   const auto is_work = [&] { return kept.missing(studio.comparison(), now, Leaves::land).has_value(); };
@@ -165,7 +171,7 @@ TEST(FailedStep, SavesTheSessionAndSaysWhere) {
   studio.runner().play();
   studio.runner().wait_until_still();
   studio.tick();
-  EXPECT_EQ(studio.now().activity, Activity::failed);
+  EXPECT_EQ(studio.now().activity, session::Activity::failed);
   std::size_t saved = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "state")) {
     if (entry.path().filename() == "session.json") ++saved;

@@ -14,6 +14,25 @@
 #include "small_config.h"
 
 namespace erg {
+
+using io::run_numbers;
+using session::clock_text;
+using session::cut_section;
+using session::Export;
+using session::export_run;
+using session::height_histogram;
+using session::Histogram;
+using session::Log;
+using session::LogLevel;
+using session::read_cell;
+using session::Runner;
+using session::Section;
+using session::Series;
+using session::slope_histogram;
+using session::thickness_histogram;
+using sim::Config;
+using sim::Simulation;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,7 +77,7 @@ TEST(Series, OfARunIsWhatTheRunWas) {
   ASSERT_EQ(run_numbers()[spread].key, "sd_slabs");
   for (std::size_t row = 0; row < series.rows(); ++row) {
     Simulation simulation(small_config("serial"));
-    RunMeter meter(simulation.totals(), 0);
+    io::RunMeter meter(simulation.totals(), 0);
     for (int step = 0; step < static_cast<int>(series.value(row, 0)); ++step) simulation.step();
     EXPECT_EQ(series.value(row, spread), meter.take(simulation)[spread]) << "spread of thickness, row " << row;
   }
@@ -87,7 +106,7 @@ TEST(Clock, TellsWhatTimeItIsInTheModelsWorld) {
 }
 
 TEST(Probe, ReadsACellOfAPlane) {
-  const CellReading reading = read_cell(plane(), {4, 5});
+  const session::CellReading reading = read_cell(plane(), {4, 5});
   EXPECT_EQ(reading.bedrock, 14);
   EXPECT_DOUBLE_EQ(reading.height, 7);
   EXPECT_NEAR(reading.slope, std::atan(std::sqrt(5.0) * 0.25) * 180 / M_PI, 1e-9);
@@ -130,10 +149,10 @@ TEST(Probe, HistogramsCountEveryCellOnce) {
 
 TEST(Probe, WritesWhatItShowsAsCsv) {
   const TemporaryFolder folder;
-  write_section(folder / "section.csv", cut_section(plane(), {0, 0}, {1, 0}), {});
+  session::write_section(folder / "section.csv", cut_section(plane(), {0, 0}, {1, 0}), {});
   const std::string section = read_bytes(folder / "section.csv");
   EXPECT_NE(section.find("distance_m,bedrock_m,surface_m\n0,0,0\n2,0.5,0.5\n"), std::string::npos) << section;
-  write_histogram(folder / "slopes.csv", {10, 2, {3, 4}}, "slope_deg", {});
+  session::write_histogram(folder / "slopes.csv", {10, 2, {3, 4}}, "slope_deg", {});
   const std::string slopes = read_bytes(folder / "slopes.csv");
   EXPECT_NE(slopes.find("slope_deg_from,slope_deg_to,cells\n10,12,3\n12,14,4\n"), std::string::npos) << slopes;
 }
@@ -143,7 +162,7 @@ TEST(Log, KeepsLinesByLevelAndForgetsTheOldest) {
   log.information("one\ntwo");
   log.warning("three");
   log.mistakes(InputError({{"a.json:3", "unknown key", "did you mean x?"}, {"a.json:9", "too large", ""}}));
-  const std::vector<LogLine> lines = log.lines();
+  const std::vector<session::LogLine> lines = log.lines();
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(lines[1].text, "two");
   EXPECT_EQ(lines[3].text, "a.json:3: unknown key; did you mean x?");
@@ -162,7 +181,7 @@ struct ExportTest : testing::Test {
   TemporaryFolder folder;
   Log log;
   Runner runner{log};
-  std::shared_ptr<const Snapshot> snapshot;
+  std::shared_ptr<const session::Snapshot> snapshot;
 
   ExportTest() {
     runner.create({small_config()});
@@ -173,7 +192,7 @@ struct ExportTest : testing::Test {
 };
 
 TEST_F(ExportTest, EveryFormatIsWritten) {
-  for (const ExportFormat& format : export_formats()) {
+  for (const session::ExportFormat& format : session::export_formats()) {
     const fs::path path = folder / ("dunes-" + format.key + format.ending);
     Export work(path, format.key, snapshot, 0);
     while (work.state() == Export::State::writing) std::this_thread::yield();
@@ -181,7 +200,7 @@ TEST_F(ExportTest, EveryFormatIsWritten) {
     EXPECT_EQ(work.progress(), 1) << format.key;
     EXPECT_GT(fs::file_size(path), 100u) << format.key;
   }
-  const Saved saved = read_checkpoint(folder / "dunes-checkpoint.checkpoint");
+  const io::Saved saved = io::read_checkpoint(folder / "dunes-checkpoint.checkpoint");
   EXPECT_EQ(state_hash(saved.state.terrain), state_hash(*snapshot->runs[0].terrain));
   EXPECT_EQ(saved.state.step, 5);
 }
@@ -196,7 +215,7 @@ TEST_F(ExportTest, AStoppedOneLeavesTheOldFile) {
                             last = part;
                             return part < 0.5;
                           }),
-               StoppedWriting);
+               io::StoppedWriting);
   EXPECT_EQ(read_bytes(path), "old");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1)
       << "nothing half written";

@@ -7,13 +7,17 @@
 #include "small_config.h"
 
 namespace erg {
+
+using session::Activity;
+using session::Runner;
+
 namespace {
 
 using test::small_config;
 
 /// The state after so many steps without any worker.
-std::uint64_t straight_hash(const Config& config, int steps) {
-  Simulation simulation(config);
+std::uint64_t straight_hash(const sim::Config& config, int steps) {
+  sim::Simulation simulation(config);
   for (int step = 0; step < steps; ++step) simulation.step();
   return state_hash(simulation.terrain());
 }
@@ -23,7 +27,7 @@ std::uint64_t hash_of(const Runner& runner, std::size_t run = 0) {
 }
 
 struct RunnerTest : testing::Test {
-  Log log;
+  session::Log log;
   Runner runner{log};
 };
 
@@ -33,7 +37,7 @@ TEST_F(RunnerTest, IsEmptyAtFirst) {
   runner.play();
   runner.wait_for_commands();
   EXPECT_EQ(runner.snapshot()->activity, Activity::empty);
-  EXPECT_EQ(log.count(LogLevel::error), 1u);
+  EXPECT_EQ(log.count(session::LogLevel::error), 1u);
 }
 
 TEST_F(RunnerTest, NStepsAreNSingleStepsAreAStraightRun) {
@@ -89,7 +93,7 @@ TEST_F(RunnerTest, SnapshotsAreNeverTorn) {
     ++seen;
     ASSERT_GT(now->number, last_number);
     last_number = now->number;
-    for (const RunSnapshot& run : now->runs) {
+    for (const session::RunSnapshot& run : now->runs) {
       ASSERT_EQ(run.step, now->step());
       ASSERT_EQ(run.terrain->total_mobile(), run.mass_now);
       ASSERT_EQ(run.mass_drift(), 0);

@@ -18,6 +18,16 @@
 #include "torn_session.h"
 
 namespace erg {
+
+using io::Saved;
+using io::write_checkpoint;
+using session::LostSession;
+using session::Session;
+using session::Snapshot;
+using session::Studio;
+using sim::Config;
+using sim::Simulation;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -221,8 +231,8 @@ TEST(Session, OneWhoseRunsCannotBeMadeStaysOnOffer) {
   EXPECT_TRUE(studio.recover(lost)) << "it can be read";
   studio.runner().wait_until_still();
   studio.tick();
-  EXPECT_EQ(studio.now().activity, Activity::empty) << "runs of one comparison stand at one step";
-  EXPECT_GE(studio.log().count(LogLevel::error), 1u);
+  EXPECT_EQ(studio.now().activity, session::Activity::empty) << "runs of one comparison stand at one step";
+  EXPECT_GE(studio.log().count(session::LogLevel::error), 1u);
   EXPECT_EQ(studio.setup().config(), Config());
   EXPECT_TRUE(studio.take_failed_creation());
   EXPECT_FALSE(studio.take_failed_creation()) << "told once";

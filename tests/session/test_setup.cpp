@@ -12,6 +12,20 @@
 #include "small_config.h"
 
 namespace erg {
+
+using io::config_text;
+using io::parse_config;
+using session::Comparison;
+using session::measure_step;
+using session::Setup;
+using session::SetupRow;
+using session::times_the_measured_land;
+using session::wind_rose;
+using session::WindCycle;
+using session::WindEditor;
+using session::WindRose;
+using sim::Config;
+
 namespace {
 
 using test::small_config;
@@ -34,7 +48,7 @@ ParameterValue wrong_value(const Parameter& parameter) {
 
 TEST(Setup, EveryValueOfEveryModelRefusesWhatIsOutOfRange) {
   for (const ModelType& type : catalogue()) {
-    erg::Setup setup{Config(type.info.key)};
+    erg::session::Setup setup{Config(type.info.key)};
     const Config before = setup.config();
     for (const std::string group : {"grid", "scene", "parameters", "run"}) {
       for (const SetupRow& row : setup.rows(group)) {
@@ -51,7 +65,7 @@ TEST(Setup, EveryValueOfEveryModelRefusesWhatIsOutOfRange) {
 }
 
 TEST(Setup, RowsTellWhatIsChangedPendingAndRelevant) {
-  erg::Setup setup;
+  erg::session::Setup setup;
   const Config running = setup.config();
   EXPECT_FALSE(setup.set_text("grid", "nx", "128").has_value());
   EXPECT_FALSE(setup.set("parameters", "p_sand", 0.5).has_value());
@@ -72,7 +86,7 @@ TEST(Setup, RowsTellWhatIsChangedPendingAndRelevant) {
 }
 
 TEST(Setup, EachModelBeginsWhereItsFormsComeOut) {
-  erg::Setup setup;
+  erg::session::Setup setup;
   setup.choose_model("grains");
   EXPECT_EQ(setup.config().grid.real("cell_size"), 0.01);
   EXPECT_EQ(setup.config().wind.seasons.front().first, 10);
@@ -88,7 +102,7 @@ TEST(Setup, EachModelBeginsWhereItsFormsComeOut) {
 }
 
 TEST(Setup, TypedTextThatIsNoValueIsRefusedWithARemedy) {
-  erg::Setup setup;
+  erg::session::Setup setup;
   const auto mistake = setup.set_text("grid", "nx", "many");
   ASSERT_TRUE(mistake.has_value());
   EXPECT_NE(mistake->remedy.find("16384"), std::string::npos) << mistake->text();
@@ -97,7 +111,7 @@ TEST(Setup, TypedTextThatIsNoValueIsRefusedWithARemedy) {
 }
 
 TEST(Setup, WhatIsEnteredSurvivesAFile) {
-  erg::Setup setup;
+  erg::session::Setup setup;
   setup.choose_model("werner");
   setup.set_text("grid", "boundary", "open");
   setup.set_text("grid", "inflow", "0.25");
@@ -110,14 +124,14 @@ TEST(Setup, WhatIsEnteredSurvivesAFile) {
 }
 
 TEST(Setup, APictureMustBeThereBeforeItIsCreated) {
-  erg::Setup setup;
+  erg::session::Setup setup;
   setup.set_text("scene", "kind", "image");
   EXPECT_EQ(setup.mistakes().size(), 1u);
   EXPECT_THROW(setup.config_to_create(), InputError);
 }
 
 TEST(Setup, TheTemperatureOfSnowIsEditedInItsRange) {
-  erg::Setup setup;
+  erg::session::Setup setup;
   setup.choose_material(Material::snow);
   ASSERT_EQ(setup.material(), Material::snow);
   const Config before = setup.config();
@@ -137,7 +151,7 @@ TEST(Setup, TheTemperatureOfSnowIsEditedInItsRange) {
 }
 
 TEST(Setup, AFreshSeedIsDrawnAndKept) {
-  erg::Setup setup;
+  erg::session::Setup setup;
   EXPECT_EQ(setup.config_to_create().run.integer("seed"), 0);
   setup.set_fresh_seed(true);
   const std::int64_t drawn = setup.config_to_create().run.integer("seed");
@@ -146,7 +160,7 @@ TEST(Setup, AFreshSeedIsDrawnAndKept) {
 }
 
 TEST(Setup, WhatTakesEffectInARunLeavesTheRestAsItRuns) {
-  erg::Setup setup(small_config());
+  erg::session::Setup setup(small_config());
   setup.set_text("grid", "nx", "64");
   setup.set_text("parameters", "p_bare", "0.1");
   ASSERT_FALSE(setup.wind().set_bearing(0, "N").has_value());
@@ -194,7 +208,7 @@ TEST(WindEditor, InvalidValuesChangeNothing) {
 TEST(WindCycle, IsTheWindOfTheRun) {
   const Regime regime{{{.bearing = 270, .first = 3, .last = 8, .steps = 10, .curve = {}},
                        {.bearing = 180, .first = 8, .last = 8, .steps = 5, .curve = {}}}};
-  const WindCycle cycle = sample_cycle(regime, 15);
+  const WindCycle cycle = session::sample_cycle(regime, 15);
   ASSERT_EQ(cycle.steps.size(), 15u);
   for (std::size_t i = 0; i < 15; ++i) {
     EXPECT_EQ(cycle.steps[i], static_cast<std::int64_t>(i));
@@ -232,7 +246,7 @@ TEST(Setup, TitlesSpeakOfTheirModelOnly) {
   Config config("werner");
   config.title = "Barchans after Werner";
   config.description = "As in the paper.";
-  erg::Setup setup(config);  // gtest has another
+  erg::session::Setup setup(config);  // gtest has another
   setup.choose_model("momiji");
   EXPECT_EQ(setup.config().title, "");
   EXPECT_EQ(setup.config().description, "");
@@ -271,7 +285,7 @@ TEST(Comparison, HasOneWindAndListsWhatDiffers) {
   const std::vector<Config> configs = comparison.configs_to_create();
   EXPECT_EQ(configs[0].wind, configs[1].wind);
   std::vector<std::string> names;
-  for (const SetupDifference& difference : comparison.differences()) {
+  for (const session::SetupDifference& difference : comparison.differences()) {
     names.push_back(difference.name);
     ASSERT_EQ(difference.values.size(), 2u);
     if (difference.name == "parameters.linear") {

@@ -9,6 +9,13 @@
 #include "small_config.h"
 
 namespace erg {
+
+using io::write_config;
+using session::Activity;
+using session::LogLevel;
+using session::Studio;
+using sim::Config;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,7 +82,7 @@ TEST_F(StudioTest, AFileWithMistakesIsReportedLineByLineAndChangesNothing) {
   studio.log().clear();
   EXPECT_FALSE(studio.open(folder / "bad.json"));
   settle();
-  const std::vector<LogLine> lines = studio.log().lines(LogLevel::error);
+  const std::vector<session::LogLine> lines = studio.log().lines(LogLevel::error);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_NE(lines[0].text.find("bad.json:3: nx is -3"), std::string::npos) << lines[0].text;
   EXPECT_NE(lines[1].text.find("bad.json:4: unknown key \"rum\""), std::string::npos) << lines[1].text;
@@ -100,12 +107,12 @@ TEST_F(StudioTest, AFileWhoseTerrainCannotBeMadeChangesNothing) {
 }
 
 TEST_F(StudioTest, TheGridComesFromThePictureWhereThatIsAskedForAndTheLogTellsWhatThePictureSays) {
-  write_heightmap(folder / "ground.png", Terrain({9, 7}, 2.0, 0.5), {});
+  io::write_heightmap(folder / "ground.png", Terrain({9, 7}, 2.0, 0.5), {});
   Config config = small_config();
   config.scene.set("kind", std::string("image"));
   config.scene.set("image", (folder / "ground.png").string());
   config.scene.set("image_fit", std::string("from_file"));
-  write_bytes(folder / "ground.json", "// mine\n" + config_text(config));
+  write_bytes(folder / "ground.json", "// mine\n" + io::config_text(config));
   ASSERT_TRUE(studio.open(folder / "ground.json"));
   settle();
   ASSERT_NE(studio.active_run(), nullptr);
@@ -164,8 +171,8 @@ TEST_F(StudioTest, TwoRunsAreComparedUnderOneWind) {
   settle();
   studio.runner().step();
   settle();
-  for (const RunSnapshot& run : studio.now().runs) EXPECT_NEAR(run.last_wind.mean_bearing(), 180, 1e-9);
-  const std::vector<ComparedNumber> table = compared_numbers(studio.now());
+  for (const session::RunSnapshot& run : studio.now().runs) EXPECT_NEAR(run.last_wind.mean_bearing(), 180, 1e-9);
+  const std::vector<session::ComparedNumber> table = session::compared_numbers(studio.now());
   EXPECT_EQ(table.front().values.size(), 2u);
 }
 
@@ -175,7 +182,7 @@ TEST_F(StudioTest, ExportsAndSaysSo) {
   ASSERT_TRUE(studio.open(saved("small.json", small_config())));
   settle();
   studio.start_export(folder / "dunes.checkpoint", "checkpoint");
-  while (studio.running_export()->state() == Export::State::writing) studio.tick();
+  while (studio.running_export()->state() == session::Export::State::writing) studio.tick();
   studio.tick();
   EXPECT_NE(studio.log().text().find("wrote "), std::string::npos);
   ASSERT_TRUE(studio.open(folder / "dunes.checkpoint"));
@@ -185,7 +192,7 @@ TEST_F(StudioTest, ExportsAndSaysSo) {
 
 TEST(StudioSession, ComesBackAfterTheDisplayIsLost) {
   const TemporaryFolder folder;
-  const StudioFolders folders{folder / "settings", folder / "state", {}};
+  const session::StudioFolders folders{folder / "settings", folder / "state", {}};
   write_config(folder / "small.json", small_config());
   std::uint64_t hash = 0;
   {

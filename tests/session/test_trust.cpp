@@ -21,6 +21,19 @@
 #include "snapshot_of.h"
 
 namespace erg::test::trust {
+
+using io::Saved;
+using io::write_config;
+using io::WriteError;
+using session::Activity;
+using session::LogLevel;
+using session::Runner;
+using session::Session;
+using session::Settings;
+using session::Snapshot;
+using sim::check_memory;
+using sim::Config;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +47,7 @@ struct Writer {
 };
 
 Snapshot snapshot_of(int version) {
-  Simulation simulation(small_config("serial", version));
+  sim::Simulation simulation(small_config("serial", version));
   simulation.step();
   return test::snapshot_of(simulation, static_cast<std::uint64_t>(version));
 }
@@ -50,31 +63,32 @@ std::vector<Writer> writers() {
   static const std::array snapshots{snapshot_of(0), snapshot_of(1)};
   std::vector<Writer> all{
       {"setup.json", [](const fs::path& file, int version) { write_config(file, small_config("serial", version)); },
-       [](const fs::path& file) { read_config(file); }},
+       [](const fs::path& file) { io::read_config(file); }},
       {"view.json",
        [](const fs::path& file, int version) {
-         Camera camera;
+         picture::Camera camera;
          camera.bearing = version;
-         write_camera(file, camera);
+         io::write_camera(file, camera);
        },
-       [](const fs::path& file) { read_camera(file); }},
+       [](const fs::path& file) { io::read_camera(file); }},
       {"settings.json",
-       [](const fs::path& file, int version) { write_settings(file.parent_path(), settings_of(version)); },
+       [](const fs::path& file, int version) { session::write_settings(file.parent_path(), settings_of(version)); },
        [](const fs::path& file) {
          std::string complaint;
-         read_settings(file.parent_path(), complaint);
+         session::read_settings(file.parent_path(), complaint);
          EXPECT_EQ(complaint, "");
        }},
       {"section.csv",
        [](const fs::path& file, int version) {
          const double place = version;
-         write_section(file, {.from = {}, .to = {}, .distance = {place, 1}, .bedrock = {0, 0}, .surface = {1, 2}}, {});
+         session::write_section(
+             file, {.from = {}, .to = {}, .distance = {place, 1}, .bedrock = {0, 0}, .surface = {1, 2}}, {});
        },
        [](const fs::path& file) { EXPECT_TRUE(read_bytes(file).ends_with("\n1,0,2\n")) << read_bytes(file); }}};
-  for (const ExportFormat& format : export_formats()) {
+  for (const session::ExportFormat& format : session::export_formats()) {
     all.push_back({"export-" + format.key + format.ending,
                    [key = format.key](const fs::path& file, int version) {
-                     export_run(file, key, snapshots[static_cast<std::size_t>(version)].runs.front(), {});
+                     session::export_run(file, key, snapshots[static_cast<std::size_t>(version)].runs.front(), {});
                    },
                    [](const fs::path& file) { EXPECT_GT(fs::file_size(file), 0u); }});
   }
@@ -185,7 +199,7 @@ TEST(WindowFiles, ASessionThatNoLongerFitsKeepsWhatItHadSaved) {
     }
     EXPECT_NE(problem.find(".checkpoint: cannot write this file (File too large)"), std::string::npos) << problem;
   }
-  const LostSession left{.folder = session.folder(), .title = {}, .saved_at = {}, .step = 0, .runs = 1};
+  const session::LostSession left{.folder = session.folder(), .title = {}, .saved_at = {}, .step = 0, .runs = 1};
   const std::vector<Saved> saved = Session::recover(left);
   ASSERT_EQ(saved.size(), 1u);
   EXPECT_EQ(saved[0].config.run.integer("seed"), 1);
@@ -198,7 +212,7 @@ TEST(WindowFiles, ASessionThatNoLongerFitsKeepsWhatItHadSaved) {
 
 struct ShortMemory : testing::Test {
   TemporaryFolder folder;
-  Studio studio{StudioFolders{folder / "settings", folder / "state", {}}};
+  session::Studio studio{session::StudioFolders{folder / "settings", folder / "state", {}}};
 
   void SetUp() override {
     studio.setup().replace(small_config());
@@ -275,10 +289,10 @@ TEST_F(ShortMemory, ASavedRunThatFitsWithoutItsCopiesOnlyIsRefused) {
   Config large = small_config();
   for (const char* side : {"nx", "ny"}) large.grid.set(side, std::int64_t{4096});
   std::vector<Saved> saved;
-  saved.push_back({large, start_simulation(large).state()});
+  saved.push_back({large, io::start_simulation(large).state()});
   const LimitRestored restored(RLIMIT_AS);
   limit_memory(rlim_t{550} << 20);
-  EXPECT_NO_THROW(check_memory({&large, 1}, 0, free_memory()));
+  EXPECT_NO_THROW(check_memory({&large, 1}, 0, sim::free_memory()));
   studio.runner().resume(std::move(saved));
   settle();
   expect_the_small_land();
@@ -287,7 +301,7 @@ TEST_F(ShortMemory, ASavedRunThatFitsWithoutItsCopiesOnlyIsRefused) {
 }
 
 TEST(Runner, AStepWithoutMemoryIsSaidInWordsAndTheRunsStandAsTheyWere) {
-  Log log;
+  session::Log log;
   bool memory = true;
   Runner runner(log, [&memory] {
     if (!memory) throw std::bad_alloc();

@@ -9,12 +9,12 @@
 namespace erg::test {
 
 /// A lost session of two runs that stand at different steps, which runs of one comparison never do.
-inline void leave_torn_session(const std::filesystem::path& folder, const Config& config) {
-  Session session(folder);
-  Simulation first(config);
-  Simulation second(config);
+inline void leave_torn_session(const std::filesystem::path& folder, const sim::Config& config) {
+  session::Session session(folder);
+  sim::Simulation first(config);
+  sim::Simulation second(config);
   second.step();
-  Snapshot torn = snapshot_of(first, 1);
+  session::Snapshot torn = snapshot_of(first, 1);
   torn.runs.push_back(snapshot_of(second, 1).runs.front());
   session.save(torn);
   session.keep();

@@ -1,5 +1,5 @@
-// No two types of one name: the linker takes the first of two inline functions or tables of one name, whoever meant the
-// other, and says nothing.
+// No two types of one name in one namespace: the linker takes the first of two inline functions or tables of one name,
+// whoever meant the other, and says nothing. And each layer has a namespace of its own.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -12,22 +12,25 @@ namespace {
 
 using Names = std::map<std::string, std::set<std::string>>;
 
-/// Adds the types that a file defines in the project's namespace, each with the file: not those of unnamed namespaces,
-/// nor of a file taken in by another that opens the namespace, nor those within a type. Relies on the format: what
-/// belongs to a namespace is not indented.
+/// Adds the types that a file defines in the project's namespaces ("erg::io::Provenance"), each with the file: not
+/// those of unnamed namespaces, nor of a file taken in by another that opens the namespace, nor those within a type.
+/// Relies on the format: what belongs to a namespace is not indented.
 void add_types(const std::string& path, std::istream& text, Names& files_of) {
   static const std::regex type(
       R"((?:template <.*> )?(?:class|struct|union|enum|enum class|enum struct) (?:alignas\(\w+\) )?(\w+)(?: final)?(?: :.*| \{.*)?)");
   static const std::regex alias(R"((?:template <.*> )?using (\w+) =.*)");
-  bool ours = false;
+  static const std::regex opening(R"(namespace (erg(?:::\w+)*) \{)");
+  std::string ours;
   bool unnamed = false;
   std::smatch match;
   for (std::string line; std::getline(text, line);) {
-    if (line == "namespace erg {") ours = true;
+    if (std::regex_match(line, match, opening)) ours = match[1];
     if (line == "namespace {") unnamed = true;
     if (line == "}  // namespace") unnamed = false;
-    if (!ours || unnamed || !(std::regex_match(line, match, type) || std::regex_match(line, match, alias))) continue;
-    files_of[match[1]].insert(path);
+    if (ours.empty() || unnamed) continue;
+    if (std::regex_match(line, match, type) || std::regex_match(line, match, alias)) {
+      files_of[ours + "::" + match[1].str()].insert(path);
+    }
   }
 }
 
@@ -44,9 +47,9 @@ TEST(Names, OfTypesStandForOneTypeEach) {
     add_types(path, text, files_of);
   }
   ASSERT_GT(files_of.size(), 300u);
-  EXPECT_TRUE(files_of.contains("Terrain"));
-  EXPECT_TRUE(files_of.contains("EdgeClass"));
-  EXPECT_TRUE(files_of.contains("CoverField"));
+  EXPECT_TRUE(files_of.contains("erg::Terrain"));
+  EXPECT_TRUE(files_of.contains("erg::io::Provenance"));
+  EXPECT_TRUE(files_of.contains("erg::session::Snapshot"));
   for (const auto& [name, files] : files_of) EXPECT_EQ(files.size(), 1u) << name << " in" << listed(files);
 }
 
@@ -56,9 +59,32 @@ TEST(Names, OfTwoTypesAreSeen) {
       "namespace erg {\nstruct Part {\n  struct Inner {\n  };\n};\nclass Known;\n}  // namespace erg\n");
   std::istringstream second(
       "namespace erg {\nnamespace {\nstruct Own {\n};\n}  // namespace\nclass Part final : public Whole {\n};\n");
+  std::istringstream other("namespace erg::ui {\nstruct Part {\n};\n}  // namespace erg::ui\n");
   add_types("first", first, files_of);
   add_types("second", second, files_of);
-  EXPECT_EQ(files_of, (Names{{"Part", {"first", "second"}}}));
+  add_types("other", other, files_of);
+  EXPECT_EQ(files_of, (Names{{"erg::Part", {"first", "second"}}, {"erg::ui::Part", {"other"}}}));
+}
+
+/// The namespace of a layer: that of its outermost folder. What models and executors are made of shares one with core.
+std::string namespace_of(const std::string& path) {
+  static const std::set<std::string> shared{"core", "forcing", "transport", "cuda", "executors", "models"};
+  const std::string folder = path.substr(0, path.find('/'));
+  return shared.contains(folder) ? "erg" : "erg::" + folder;
+}
+
+TEST(Names, OfALayerLieInItsNamespace) {
+  static const std::regex opening(R"((?:^|\n)namespace (erg(?:::[a-z]\w*)?))");
+  std::set<std::string> seen;
+  for (const auto& [path, includes] : source_tree()) {
+    const std::string text = read_text(source_root() / "src" / path);
+    for (auto found = std::sregex_iterator(text.begin(), text.end(), opening); found != std::sregex_iterator();
+         ++found) {
+      EXPECT_EQ((*found)[1], namespace_of(path)) << path;
+      seen.insert((*found)[1]);
+    }
+  }
+  EXPECT_GT(seen.size(), 8u);
 }
 
 }  // namespace

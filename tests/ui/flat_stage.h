@@ -9,12 +9,13 @@
 namespace erg::test {
 
 /// Ground at height 0 under the land of a run.
-class FlatGround final : public LandGround {
+class FlatGround final : public ui::LandGround {
  public:
-  explicit FlatGround(LandBox box) : box_(box) {}
-  LandBox box() const override { return box_; }
-  std::optional<Eigen::Vector3d> under(const Camera& camera, PicturePoint point, double aspect) const override {
-    const Sight line = sight(camera, point, aspect);
+  explicit FlatGround(render::LandBox box) : box_(box) {}
+  render::LandBox box() const override { return box_; }
+  std::optional<Eigen::Vector3d> under(const picture::Camera& camera, render::PicturePoint point,
+                                       double aspect) const override {
+    const render::Sight line = render::sight(camera, point, aspect);
     if (line.direction.z() >= 0) return std::nullopt;
     const Eigen::Vector3d place = line.from - line.from.z() / line.direction.z() * line.direction;
     const bool inside = place.x() >= 0 && place.y() >= 0 && place.x() <= box_.east && place.y() <= box_.north;
@@ -23,19 +24,19 @@ class FlatGround final : public LandGround {
   double height(double, double) const override { return 0; }
 
  private:
-  LandBox box_;
+  render::LandBox box_;
 };
 
-class FlatStage final : public Stage {
+class FlatStage final : public ui::Stage {
  public:
   FlatGround flat{{32, 24, 0, 4}};
-  std::vector<PictureOrder> orders;
+  std::vector<ui::PictureOrder> orders;
   bool closed = false;
   bool has_memory = true;
 
-  const LandGround* ground(std::size_t) override { return &flat; }
+  const ui::LandGround* ground(std::size_t) override { return &flat; }
   ImTextureID picture(const std::filesystem::path&) override { return nullptr; }
-  void save_picture(const PictureOrder& order) override {
+  void save_picture(const ui::PictureOrder& order) override {
     if (!has_memory) throw std::bad_alloc();
     orders.push_back(order);
   }

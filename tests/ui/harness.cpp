@@ -6,6 +6,9 @@
 #include "picture_of_gui.h"
 
 namespace erg::test {
+
+using ui::WidgetPlace;
+
 namespace {
 
 constexpr float frame_seconds = 1.0f / 60;
@@ -14,7 +17,7 @@ constexpr int pause_frames = 30;  // longer than a double click may last
 }  // namespace
 
 UiHarness::UiHarness(std::function<void()> draw, ImVec2 size, float scale)
-    : gui_(ThemeKind::dark, scale), draw_(std::move(draw)), size_(size) {
+    : gui_(ui::ThemeKind::dark, scale), draw_(std::move(draw)), size_(size) {
   frames(2);
 }
 
@@ -115,12 +118,12 @@ void UiHarness::enter(const std::string& name, const std::string& text) {
   double_click(name);
   shortcut('A');
   type(text);
-  key(keys::enter);
+  key(ui::keys::enter);
 }
 
 void UiHarness::save_png(const std::filesystem::path& path) {
   frames();
-  write_png(path, picture_of_gui(gui_, size_), {});
+  io::write_png(path, picture_of_gui(gui_, size_), {});
 }
 
 }  // namespace erg::test

@@ -14,13 +14,13 @@ class UiHarness {
   /// `draw` makes one frame of the interface, ImGui windows included.
   explicit UiHarness(std::function<void()> draw, ImVec2 size = {1280, 800}, float scale = 1);
 
-  Gui& gui() { return gui_; }
+  ui::Gui& gui() { return gui_; }
   /// Draws so many frames, each 1/60 s.
   void frames(int count = 1);
 
   bool has(const std::string& name) const { return gui_.widgets().find(name).has_value(); }
   /// The widget of this name (see WidgetMap::find). Throws std::runtime_error with all names when it is not there.
-  WidgetPlace place(const std::string& name) const;
+  ui::WidgetPlace place(const std::string& name) const;
 
   void move(ImVec2 point);
   void press(int button = 0);
@@ -47,7 +47,7 @@ class UiHarness {
   void save_png(const std::filesystem::path& path);
 
  private:
-  mutable Gui gui_;
+  mutable ui::Gui gui_;
   std::function<void()> draw_;
   ImVec2 size_;
 };

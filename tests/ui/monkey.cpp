@@ -24,20 +24,20 @@ bool holds(const Spot& spot, float x, float y) {
 
 const std::vector<MonkeyKey>& all_keys() {
   static const std::vector<MonkeyKey> all = [] {
-    std::vector<MonkeyKey> list{{keys::escape, false, "Escape"},
-                                {keys::enter, false, "Return"},
-                                {keys::tab, false, "Tab"},
-                                {keys::backspace, false, "BackSpace"},
-                                {keys::left, false, "Left"},
-                                {keys::right, false, "Right"},
-                                {keys::up, false, "Up"},
-                                {keys::down, false, "Down"},
-                                {keys::home, false, "Home"},
-                                {keys::end, false, "End"},
-                                {keys::page_up, false, "Prior"},
-                                {keys::page_down, false, "Next"},
-                                {keys::remove, false, "Delete"},
-                                {keys::space, false, "space"},
+    std::vector<MonkeyKey> list{{ui::keys::escape, false, "Escape"},
+                                {ui::keys::enter, false, "Return"},
+                                {ui::keys::tab, false, "Tab"},
+                                {ui::keys::backspace, false, "BackSpace"},
+                                {ui::keys::left, false, "Left"},
+                                {ui::keys::right, false, "Right"},
+                                {ui::keys::up, false, "Up"},
+                                {ui::keys::down, false, "Down"},
+                                {ui::keys::home, false, "Home"},
+                                {ui::keys::end, false, "End"},
+                                {ui::keys::page_up, false, "Prior"},
+                                {ui::keys::page_down, false, "Next"},
+                                {ui::keys::remove, false, "Delete"},
+                                {ui::keys::space, false, "space"},
                                 {'.', false, "period"},
                                 {'+', false, "plus"},
                                 {'-', false, "minus"}};
@@ -46,7 +46,7 @@ const std::vector<MonkeyKey>& all_keys() {
       list.push_back({letter, true, std::string("ctrl+") + static_cast<char>(letter - 'A' + 'a')});
     }
     for (int number = 1; number <= 12; ++number) {
-      list.push_back({keys::function + number, false, "F" + std::to_string(number)});
+      list.push_back({ui::keys::function + number, false, "F" + std::to_string(number)});
     }
     return list;
   }();

@@ -3,11 +3,16 @@
 #include "ui/widgets/widgets.h"
 
 namespace erg::test {
+
+using sim::Config;
+using ui::Panel;
+
 namespace {
 
-ImVec2 size_of(const Panel& panel) { return panel.dock() == Dock::dialog ? panel.size() : ImVec2{330, 1500}; }
+ImVec2 size_of(const Panel& panel) { return panel.dock() == ui::Dock::dialog ? panel.size() : ImVec2{330, 1500}; }
 
-StudioFolders folders_in(const TemporaryFolder& folder, const std::function<void(const TemporaryFolder&)>& prepare) {
+session::StudioFolders folders_in(const TemporaryFolder& folder,
+                                  const std::function<void(const TemporaryFolder&)>& prepare) {
   for (const char* name : {"settings", "state", "presets"}) std::filesystem::create_directory(folder / name);
   if (prepare) prepare(folder);
   return {folder / "settings", folder / "state", folder / "presets"};
@@ -31,15 +36,15 @@ PanelHand::PanelHand(std::unique_ptr<Panel> panel, const std::function<void(cons
 void PanelHand::draw() {
   if (studio.settings().last_folder.empty()) studio.settings().last_folder = folder.path().string();
   studio.tick();
-  Desk desk{studio, land, LandTool::camera, {}, {}, {}, {}, {}, {}};
+  ui::Desk desk{studio, land, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
   desk.open = [this](const std::string& title) { opened.push_back(title); };
   desk.close = [this](const std::string& title) { closed.push_back(title); };
-  desk.leave = [](const std::string&, Leaves, const std::function<void()>& act) { act(); };
+  desk.leave = [](const std::string&, session::Leaves, const std::function<void()>& act) { act(); };
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size_of(*panel_));
   ImGui::Begin(panel_->title(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
   {
-    const WidgetScope scope(panel_->title());
+    const ui::WidgetScope scope(panel_->title());
     panel_->draw(desk);
   }
   ImGui::End();
@@ -59,7 +64,7 @@ void PanelHand::settle() {
   hand.frames(2);
 }
 
-void PanelHand::click_land(CellPlace cell) {
+void PanelHand::click_land(session::CellPlace cell) {
   land = {cell, true, true};
   hand.frames();
   land = {cell, false, false};

@@ -16,18 +16,18 @@ namespace erg::test {
 class PanelHand {
  public:
   /// Docks are 330 pixels wide, dialogs as they ask. `prepare` may put files into the folder before the studio starts.
-  explicit PanelHand(std::unique_ptr<Panel> panel, const std::function<void(const TemporaryFolder&)>& prepare = {});
+  explicit PanelHand(std::unique_ptr<ui::Panel> panel, const std::function<void(const TemporaryFolder&)>& prepare = {});
 
   TemporaryFolder folder;  ///< settings, state and presets lie in it; also the folder that browsers open in
-  Studio studio;
-  LandPointer land;                 ///< given to the panel in the next frames
+  session::Studio studio;
+  ui::LandPointer land;             ///< given to the panel in the next frames
   std::vector<std::string> opened;  ///< titles that the panel asked to open
   std::vector<std::string> closed;
-  LandTool tool = LandTool::camera;  ///< that the panel asked for in the last frame
-  std::vector<LandMark> marks;
+  ui::LandTool tool = ui::LandTool::camera;  ///< that the panel asked for in the last frame
+  std::vector<ui::LandMark> marks;
 
  private:
-  std::unique_ptr<Panel> panel_;
+  std::unique_ptr<ui::Panel> panel_;
 
  public:
   UiHarness hand;
@@ -37,13 +37,13 @@ class PanelHand {
   /// Waits for the worker and draws what it has done.
   void settle();
   /// The left button goes down on a cell and up again.
-  void click_land(CellPlace cell);
+  void click_land(session::CellPlace cell);
 
  private:
   void draw();
 };
 
 /// A config of few cells.
-Config small_config();
+sim::Config small_config();
 
 }  // namespace erg::test

@@ -6,10 +6,14 @@
 
 namespace erg::test {
 
-RgbImage picture_of_gui(const Gui& gui, ImVec2 size) {
-  const std::unique_ptr<GlContext> context = make_offscreen_context(has_osmesa() ? "osmesa" : "egl");
-  GuiRenderer renderer;
-  PictureTarget target;
+using picture::RgbImage;
+using render::gl11;
+
+RgbImage picture_of_gui(const ui::Gui& gui, ImVec2 size) {
+  const std::unique_ptr<render::GlContext> context =
+      render::make_offscreen_context(render::has_osmesa() ? "osmesa" : "egl");
+  ui::GuiRenderer renderer;
+  render::PictureTarget target;
   const int width = static_cast<int>(size.x);
   const int height = static_cast<int>(size.y);
   target.prepare(width, height);

@@ -7,6 +7,6 @@
 namespace erg::test {
 
 /// The last frame of `gui`.
-RgbImage picture_of_gui(const Gui& gui, ImVec2 size);
+picture::RgbImage picture_of_gui(const ui::Gui& gui, ImVec2 size);
 
 }  // namespace erg::test

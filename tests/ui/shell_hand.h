@@ -14,17 +14,17 @@ namespace erg::test {
 class ShellHand : public testing::Test {
  protected:
   TemporaryFolder folder;
-  Studio studio{StudioFolders{folder.path() / "settings", folder.path() / "state", {}}};
+  session::Studio studio{session::StudioFolders{folder.path() / "settings", folder.path() / "state", {}}};
   FlatStage stage;
   // The shell needs an ImGui context, which the harness makes; it is there from the first frame on.
-  std::unique_ptr<Shell> shell;
+  std::unique_ptr<ui::Shell> shell;
   UiHarness hand{[this] {
     studio.tick();
     if (shell) shell->draw();
   }};
 
   void SetUp() override {
-    shell = std::make_unique<Shell>(studio, stage, hand.gui());
+    shell = std::make_unique<ui::Shell>(studio, stage, hand.gui());
     hand.frames(2);
   }
   void TearDown() override { shell.reset(); }
@@ -39,7 +39,7 @@ class ShellHand : public testing::Test {
     studio.runner().wait_until_still();
     hand.frames(3);
   }
-  const Snapshot& now() { return studio.now(); }
+  const session::Snapshot& now() { return studio.now(); }
 };
 
 }  // namespace erg::test

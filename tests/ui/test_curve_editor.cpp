@@ -5,6 +5,9 @@
 #include "ui/widgets/curve_editor.h"
 
 namespace erg::test {
+
+using ui::CurveFrame;
+
 namespace {
 
 CurveFrame strength_frame() {
@@ -18,7 +21,7 @@ CurveFrame strength_frame() {
 }
 
 ImVec2 in_box(const UiHarness& hand, double x, double y) {
-  const WidgetPlace box = hand.place("curve/box");
+  const ui::WidgetPlace box = hand.place("curve/box");
   return {box.low.x + static_cast<float>(x) * (box.high.x - box.low.x),
           box.high.y - static_cast<float>(y) * (box.high.y - box.low.y)};
 }
@@ -27,7 +30,7 @@ struct CurveHand {
   BezierCurve curve;
   CurveFrame frame = strength_frame();
   int changes = 0;
-  UiHarness hand = in_a_column([this] { changes += edit_curve("curve", curve, frame) ? 1 : 0; });
+  UiHarness hand = in_a_column([this] { changes += ui::edit_curve("curve", curve, frame) ? 1 : 0; });
 };
 
 TEST(CurveEditor, AControlPointGoesWhereItIsDragged) {
@@ -98,7 +101,7 @@ struct PointsHand {
     frame.x = {0, 100};
     frame.y = {0, 5};
     frame.height = 170;
-    edit_points("curve", points, standard, frame);
+    ui::edit_points("curve", points, standard, frame);
   });
 };
 

@@ -5,12 +5,22 @@
 #include "panel_hand.h"
 
 namespace erg::test {
+
+using io::read_config;
+using session::Activity;
+using session::Export;
+using sim::Config;
+using ui::make_gallery_panel;
+using ui::make_open_panel;
+using ui::make_recovery_panel;
+using ui::make_save_panel;
+
 namespace {
 
 void write_preset(const std::filesystem::path& path, const std::string& title) {
   Config config = small_config();
   config.title = title;
-  write_config(path, config);
+  io::write_config(path, config);
 }
 
 TEST(GalleryPanel, OneClickAndDunesGrow) {
@@ -105,9 +115,9 @@ TEST(SavePanel, CancelWritesNothing) {
 }
 
 TEST(ExportPanel, WritesEveryFormat) {
-  PanelHand panel(make_export_panel());
+  PanelHand panel(ui::make_export_panel());
   panel.create();
-  for (const ExportFormat& format : export_formats()) {
+  for (const session::ExportFormat& format : session::export_formats()) {
     panel.hand.click("EXPORT/" + format.key);
     panel.hand.click("EXPORT/EXPORT");
     panel.hand.enter("EXPORT TO/name", "out-" + format.key);
@@ -120,7 +130,7 @@ TEST(ExportPanel, WritesEveryFormat) {
 }
 
 TEST(LogPanel, FiltersByLevelCopiesAndClears) {
-  PanelHand panel(make_log_panel());
+  PanelHand panel(ui::make_log_panel());
   panel.studio.log().clear();
   panel.studio.log().information("a word");
   panel.studio.log().warning("a warning");
@@ -137,7 +147,7 @@ TEST(LogPanel, FiltersByLevelCopiesAndClears) {
 
 TEST(RecoveryPanel, ShowsNothingAfterAnOrderlyEnd) {
   PanelHand panel(make_recovery_panel());
-  const Desk desk{panel.studio, {}, LandTool::camera, {}, {}, {}, {}, {}, {}};
+  const ui::Desk desk{panel.studio, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
   EXPECT_FALSE(make_recovery_panel()->wanted(desk));
 }
 
@@ -145,7 +155,7 @@ TEST(RecoveryPanel, ShowsNothingAfterAnOrderlyEnd) {
 void leave_session(const TemporaryFolder& folder) {
   Config config = small_config();
   config.title = "left behind";
-  Studio studio({folder / "settings", folder / "state", folder / "presets"});
+  session::Studio studio({folder / "settings", folder / "state", folder / "presets"});
   studio.setup().replace(config);
   studio.create();
   studio.runner().run(3);

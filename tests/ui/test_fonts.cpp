@@ -7,6 +7,9 @@
 #include "ui/widgets/fonts.h"
 
 namespace erg::test {
+
+using ui::take_letter;
+
 namespace {
 
 bool has_glyph(UiHarness& hand, char32_t letter) {
@@ -15,7 +18,7 @@ bool has_glyph(UiHarness& hand, char32_t letter) {
 
 TEST(Fonts, LettersGoToUtf8AndBack) {
   for (const char32_t letter : {U'a', U'\u00e9', U'\u0416', U'\u4e2d', U'\U0001f3dc'}) {
-    const std::string bytes = utf8_of(letter);
+    const std::string bytes = ui::utf8_of(letter);
     std::string_view rest = bytes;
     EXPECT_EQ(take_letter(rest), letter);
     EXPECT_TRUE(rest.empty());
@@ -27,7 +30,7 @@ TEST(Fonts, LettersGoToUtf8AndBack) {
 }
 
 TEST(Fonts, AFontIsFoundForTheInterfaceAndForALetter) {
-  FontFinder finder;
+  ui::FontFinder finder;
   const auto plain = finder.interface_font();
   ASSERT_TRUE(plain.has_value());
   EXPECT_TRUE(std::filesystem::is_regular_file(plain->path)) << plain->path;

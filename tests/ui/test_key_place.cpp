@@ -12,7 +12,7 @@ namespace {
 
 int place(unsigned long symbol, unsigned long plain, unsigned long shifted, const char* position = "",
           unsigned long latin = 0) {
-  return key_place({symbol, plain, shifted, latin, position});
+  return ui::key_place({symbol, plain, shifted, latin, position});
 }
 
 TEST(KeyPlace, LettersAreThoseOnTheKeys) {
@@ -47,11 +47,11 @@ TEST(KeyPlace, WhatIsWrittenWithShiftCountsAsWritten) {
 }
 
 TEST(KeyPlace, KeysThatWriteNothingHaveTheirPlaces) {
-  EXPECT_EQ(place(XK_Escape, XK_Escape, 0), keys::escape);
-  EXPECT_EQ(place(XK_KP_Enter, XK_KP_Enter, 0), keys::enter);
-  EXPECT_EQ(place(XK_ISO_Left_Tab, XK_Tab, XK_ISO_Left_Tab), keys::tab);
-  EXPECT_EQ(place(XK_F12, XK_F12, 0), keys::function + 12);
-  EXPECT_EQ(place(XK_KP_Left, XK_KP_Left, XK_KP_4), keys::left) << "without Num Lock";
+  EXPECT_EQ(place(XK_Escape, XK_Escape, 0), ui::keys::escape);
+  EXPECT_EQ(place(XK_KP_Enter, XK_KP_Enter, 0), ui::keys::enter);
+  EXPECT_EQ(place(XK_ISO_Left_Tab, XK_Tab, XK_ISO_Left_Tab), ui::keys::tab);
+  EXPECT_EQ(place(XK_F12, XK_F12, 0), ui::keys::function + 12);
+  EXPECT_EQ(place(XK_KP_Left, XK_KP_Left, XK_KP_4), ui::keys::left) << "without Num Lock";
   EXPECT_EQ(place(XK_Shift_L, XK_Shift_L, 0, "LFSH"), -1);
   EXPECT_EQ(place(XK_odiaeresis, XK_odiaeresis, XK_Odiaeresis, "AC10"), -1) << "no shortcut lies there";
 }

@@ -4,6 +4,10 @@
 #include "flat_stage.h"
 
 namespace erg::test {
+
+using render::eye;
+using ui::LandCamera;
+
 namespace {
 
 constexpr double aspect = 1.5;
@@ -17,7 +21,7 @@ LandCamera block() {
 
 TEST(LandCamera, TheWheelKeepsWhatIsUnderThePointerUnderIt) {
   LandCamera camera = block();
-  const PicturePoint cursor{0.2, -0.1};
+  const render::PicturePoint cursor{0.2, -0.1};
   const auto before = ground.under(camera.camera(), cursor, aspect);
   ASSERT_TRUE(before);
   EXPECT_TRUE(camera.move({.cursor = cursor, .wheel = 3}, ground, aspect));
@@ -49,10 +53,10 @@ TEST(LandCamera, FrameKeepsTheDirectionAndShowsAllCorners) {
   const double bearing = camera.camera().bearing;
   camera.choose("frame", ground.box(), aspect);
   EXPECT_EQ(camera.camera().bearing, bearing);
-  const WindowPart part{0, 0, 900, 600};
+  const ui::WindowPart part{0, 0, 900, 600};
   for (const double east : {0.0, 200.0}) {
     for (const double north : {0.0, 100.0}) {
-      const auto seen = to_window({east, north, 0}, camera.camera(), part);
+      const auto seen = ui::to_window({east, north, 0}, camera.camera(), part);
       ASSERT_TRUE(seen);
       EXPECT_GE(seen->x, 0);
       EXPECT_LE(seen->x, 900);

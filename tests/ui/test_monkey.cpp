@@ -12,19 +12,23 @@
 #include "panel_hand.h"
 
 namespace erg::test {
+
+using session::Studio;
+using ui::Shell;
+
 namespace {
 
 /// One small preset a model, for the gallery.
 void write_small_presets(const std::filesystem::path& folder) {
   std::filesystem::create_directory(folder);
   for (const ModelType& type : catalogue()) {
-    Config config(type.info.key);
+    sim::Config config(type.info.key);
     config.title = "small " + type.info.key;
     config.description = "Small.";
     config.grid.set("nx", std::int64_t{32});
     config.grid.set("ny", std::int64_t{24});
     config.run.set("threads", std::int64_t{2});
-    write_config(folder / (type.info.key + ".json"), config);
+    io::write_config(folder / (type.info.key + ".json"), config);
   }
 }
 
@@ -45,7 +49,8 @@ class MonkeyAtTheShell : public testing::TestWithParam<unsigned> {
 
   void SetUp() override {
     write_small_presets(folder / "presets");
-    studio = std::make_unique<Studio>(StudioFolders{folder / "settings", folder / "state", folder / "presets"});
+    studio =
+        std::make_unique<Studio>(session::StudioFolders{folder / "settings", folder / "state", folder / "presets"});
     studio->settings().last_folder = folder.path().string();
     studio->setup().replace(small_config());
     shell = std::make_unique<Shell>(*studio, stage, hand.gui());
@@ -56,7 +61,7 @@ class MonkeyAtTheShell : public testing::TestWithParam<unsigned> {
 
   std::vector<Spot> spots() {
     std::vector<Spot> all;
-    for (const WidgetPlace& place : hand.gui().widgets().places()) {
+    for (const ui::WidgetPlace& place : hand.gui().widgets().places()) {
       all.push_back({place.name, place.low.x, place.low.y, place.high.x, place.high.y});
     }
     return all;
@@ -91,7 +96,7 @@ TEST_P(MonkeyAtTheShell, BreaksNothing) {
   for (int deed = 0; deed < 1500; ++deed) {
     carry_out(monkey.next(spots()));
     shell->apply_settings();
-    for (const RunSnapshot& run : studio->now().runs) ASSERT_EQ(run.mass_drift(), 0) << "after deed " << deed;
+    for (const session::RunSnapshot& run : studio->now().runs) ASSERT_EQ(run.mass_drift(), 0) << "after deed " << deed;
   }
   // The worker still does what it is told.
   studio->runner().pause();

@@ -15,6 +15,16 @@
 #include "ui/window/picture_panel.h"
 
 namespace erg::test {
+
+using io::write_png;
+using picture::RgbImage;
+using session::Studio;
+using session::StudioFolders;
+using sim::Config;
+using ui::make_panels;
+using ui::Panel;
+using ui::Shell;
+
 namespace {
 
 bool pictures_wanted() { return std::getenv("ERG_PICTURES") != nullptr; }
@@ -69,12 +79,12 @@ void look_at(PanelHand& panel, const char* title) {
 }
 
 TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
-  Scenery scenery;
-  Bookmarks bookmarks{std::filesystem::path()};
+  ui::Scenery scenery;
+  ui::Bookmarks bookmarks{std::filesystem::path()};
   bookmarks.keep("over the lee", {});
   std::vector<std::unique_ptr<Panel>> panels = make_panels();
-  panels.push_back(make_look_panel(scenery, bookmarks));
-  panels.push_back(make_picture_panel([](const PictureOrder&) {}));
+  panels.push_back(ui::make_look_panel(scenery, bookmarks));
+  panels.push_back(ui::make_picture_panel([](const ui::PictureOrder&) {}));
   for (std::unique_ptr<Panel>& made : panels) {
     const std::string title = made->title();
     PanelHand panel(std::move(made));
@@ -156,14 +166,15 @@ TEST(PanelLayout, NoDialogAndNoColumnIsCutOffAtAnyScale) {
     WholeWindow window(scale);
     EXPECT_LE(WholeWindow::hidden("##left"), 1) << scale;
     EXPECT_LE(WholeWindow::hidden("##right"), 1) << scale;
-    for (const char* title : {panel_title::keys, panel_title::about, panel_title::recovery, picture_title}) {
+    for (const char* title :
+         {ui::panel_title::keys, ui::panel_title::about, ui::panel_title::recovery, ui::picture_title}) {
       window.shell->open(title);
       window.look_at(title);
       window.shell->close(title);
       window.hand.frames(2);
     }
     window.shell->quit();
-    window.look_at(unsaved_title);
+    window.look_at(ui::unsaved_title);
   }
 }
 

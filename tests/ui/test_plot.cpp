@@ -8,12 +8,21 @@
 #include "ui/widgets/plot.h"
 
 namespace erg::test {
+
+using ui::AxisRange;
+using ui::draw_plot;
+using ui::figure_text;
+using ui::line_colour;
+using ui::PlotLine;
+using ui::round_range;
+using ui::round_ticks;
+
 namespace {
 
 std::vector<std::string> tick_texts(AxisRange range, int most) {
-  const Ticks ticks = round_ticks(range, most);
+  const ui::Ticks ticks = round_ticks(range, most);
   std::vector<std::string> texts;
-  for (int tick = 0; tick < ticks.count; ++tick) texts.push_back(tick_text(ticks.at(tick), ticks.step));
+  for (int tick = 0; tick < ticks.count; ++tick) texts.push_back(ui::tick_text(ticks.at(tick), ticks.step));
   return texts;
 }
 
@@ -63,7 +72,7 @@ TEST(Plot, TellsTheValueUnderTheMouse) {
     under_mouse = draw_plot("plot", {&line, 1}, {.x_label = "step", .y_label = "height, m"});
   });
   EXPECT_FALSE(under_mouse);
-  const WidgetPlace box = hand.place("plot");
+  const ui::WidgetPlace box = hand.place("plot");
   hand.move({box.low.x + 0.25f * (box.high.x - box.low.x), box.middle().y});
   hand.frames();
   ASSERT_TRUE(under_mouse);
@@ -87,7 +96,7 @@ TEST(Plot, AThousandPointsCostNoMoreThanTheColumnsOfPixels) {
 TEST(Plot, EmptyPlotsAreDrawnToo) {
   UiHarness hand = in_a_column([&] {
     draw_plot("plot", {}, {.x_label = "step", .y_label = "height"});
-    draw_histogram("bars", {}, {0, 90}, {.x_label = "slope"});
+    ui::draw_histogram("bars", {}, {0, 90}, {.x_label = "slope"});
   });
   EXPECT_TRUE(hand.has("plot"));
   EXPECT_TRUE(hand.has("bars"));

@@ -4,6 +4,14 @@
 #include "panel_hand.h"
 
 namespace erg::test {
+
+using session::CellPlace;
+using ui::LandTool;
+using ui::make_compare_panel;
+using ui::make_numbers_panel;
+using ui::make_paint_panel;
+using ui::make_section_panel;
+
 namespace {
 
 TEST(NumbersPanel, WithoutATerrainItLeadsToTheGallery) {
@@ -171,7 +179,7 @@ TEST(PaintPanel, PlantsArePutAndTakenWhereTheModelHasThem) {
   panel.settle();
   panel.click_land({10, 10});
   panel.settle();
-  EXPECT_EQ(panel.studio.log().count(LogLevel::error), 0u) << "the brush has sand again";
+  EXPECT_EQ(panel.studio.log().count(session::LogLevel::error), 0u) << "the brush has sand again";
 }
 
 TEST(ComparePanel, ACopyIsAddedChangedCreatedAndRemoved) {

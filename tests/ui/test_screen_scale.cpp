@@ -4,6 +4,11 @@
 #include "ui/window/screen_scale.h"
 
 namespace erg::test {
+
+using ui::Monitor;
+using ui::monitor_at;
+using ui::suggested_scale;
+
 namespace {
 
 Monitor monitor(int width, int height, int millimetres) { return {0, 0, width, height, millimetres, false}; }

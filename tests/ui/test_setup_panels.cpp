@@ -8,12 +8,19 @@
 #include "sim/config.h"
 
 namespace erg::test {
+
+using session::SetupRow;
+using sim::season_hold_parameter;
+using sim::season_spread_parameter;
+using ui::make_setup_panel;
+using ui::make_wind_panel;
+
 namespace {
 
 TEST(SetupPanel, EveryDeclaredValueOfTheModelHasItsRow) {
   PanelHand panel(make_setup_panel());
   panel.hand.move({160, 300});
-  for (const ModelType* type : Setup::models_of(Material::sand)) {
+  for (const ModelType* type : session::Setup::models_of(Material::sand)) {
     panel.studio.setup().choose_model(type->info.key);
     panel.hand.scroll(1000);
     std::set<std::string> seen;  // on the way down
@@ -47,7 +54,7 @@ TEST(SetupPanel, ValuesAreTypedResetAndAllReset) {
   EXPECT_TRUE(panel.studio.setup().config().grid.is_default("nx"));
   panel.hand.enter(row, "96");
   panel.hand.click("RESET DEFAULT");
-  EXPECT_EQ(panel.studio.setup().config(), Config(panel.studio.setup().config().model));
+  EXPECT_EQ(panel.studio.setup().config(), sim::Config(panel.studio.setup().config().model));
 }
 
 TEST(SetupPanel, CreateMakesTheTerrain) {
@@ -159,7 +166,7 @@ TEST(WindPanel, TheStrengthCurveIsBentAndReset) {
   panel.hand.click("SEASONS");
   panel.hand.enter("length", "100");
   panel.hand.enter("last strength", "9");
-  const WidgetPlace box = panel.hand.place("curve/box");
+  const ui::WidgetPlace box = panel.hand.place("curve/box");
   panel.hand.drag(panel.hand.place("curve/first").middle(), {box.high.x, box.high.y});
   EXPECT_NEAR(panel.studio.setup().config().wind.seasons[0].curve.first.x, 1, 0.01);
   EXPECT_NEAR(panel.studio.setup().config().wind.seasons[0].curve.first.y, 0, 0.01);

@@ -12,13 +12,22 @@
 #include "ui/window/picture_panel.h"
 
 namespace erg::test {
+
+using io::read_camera;
+using io::read_config;
+using io::write_config;
+using picture::Camera;
+using session::Activity;
+using ui::Shell;
+using ui::WidgetPlace;
+
 namespace {
 
 // It can be read, so that it fails only when its runs are made.
 TEST(Shell, ARecoveryThatFailsInTheEndOpensTheLog) {
   const TemporaryFolder folder;
   leave_torn_session(folder.path(), small_config());
-  Studio studio({{}, folder.path(), {}});
+  session::Studio studio({{}, folder.path(), {}});
   ASSERT_EQ(studio.lost_sessions().size(), 1u);
   FlatStage stage;
   std::optional<Shell> shell;
@@ -101,12 +110,12 @@ TEST_F(ShellHand, MenusOpenDialogsAndEscapeClosesThem) {
   hand.click("menu File/Export\u2026");
   EXPECT_TRUE(shell->is_open("EXPORT"));
   hand.frames(3);
-  hand.key(keys::escape);
+  hand.key(ui::keys::escape);
   EXPECT_FALSE(shell->is_open("EXPORT"));
-  hand.key(keys::function + 1);
+  hand.key(ui::keys::function + 1);
   EXPECT_TRUE(shell->is_open("KEYS"));
   hand.click("RUN/step");  // the keyboard is elsewhere now
-  hand.key(keys::escape);
+  hand.key(ui::keys::escape);
   EXPECT_FALSE(shell->is_open("KEYS"));
 }
 
@@ -148,7 +157,7 @@ TEST_F(ShellHand, QuittingWithAnUnsavedSetupAsksFirst) {
   EXPECT_FALSE(stage.closed);
   hand.shortcut('Q');
   hand.frames(3);
-  hand.key(keys::escape);
+  hand.key(ui::keys::escape);
   EXPECT_FALSE(stage.closed);
   hand.shortcut('Q');
   hand.frames(3);
@@ -188,7 +197,7 @@ TEST_F(ShellHand, CreatingOverAPaintedLandAsksFirst) {
   for (int frame = 0; frame < patience && shell->is_open("UNSAVED"); ++frame) hand.frames();
   settle();
   EXPECT_NE(state_hash(*now().runs[0].terrain), painted);
-  EXPECT_EQ(state_hash(read_checkpoint(folder / "painted.checkpoint").state.terrain), painted);
+  EXPECT_EQ(state_hash(io::read_checkpoint(folder / "painted.checkpoint").state.terrain), painted);
 }
 
 TEST_F(ShellHand, TheLookPanelChangesTheLook) {
@@ -265,7 +274,7 @@ TEST_F(ShellHand, AViewIsKeptUnderItsNameReplacedAndForgotten) {
   hand.click("LOOK/Side");
   keep();
   EXPECT_EQ(read_camera(file), shell->scenery().camera.camera());
-  EXPECT_EQ(Bookmarks(folder / "settings/views").entries().size(), 1u) << "the next start finds it";
+  EXPECT_EQ(ui::Bookmarks(folder / "settings/views").entries().size(), 1u) << "the next start finds it";
   hand.click("LOOK/Block");
   hand.click("lee-side/lee-side");
   EXPECT_EQ(shell->scenery().camera.camera(), read_camera(file));
@@ -304,7 +313,7 @@ TEST_F(ShellHand, TheLandUnderThePointerIsRead) {
 
 TEST_F(ShellHand, APictureIsOrderedInTheSizeChosen) {
   create();
-  hand.key(keys::function + 12);
+  hand.key(ui::keys::function + 12);
   hand.frames(3);
   hand.enter("PICTURE/width", "640");
   hand.enter("PICTURE/height", "360");
@@ -322,7 +331,7 @@ TEST_F(ShellHand, APictureIsOrderedInTheSizeChosen) {
 TEST_F(ShellHand, APictureThatTheMemoryDoesNotHoldIsSaidInWords) {
   create();
   stage.has_memory = false;
-  hand.key(keys::function + 12);
+  hand.key(ui::keys::function + 12);
   hand.frames(3);
   hand.click("PICTURE/save picture");
   hand.frames(3);
@@ -340,7 +349,7 @@ TEST_F(ShellHand, PanelsFoldAndColumnsAreDraggedAndBothAreRemembered) {
   hand.drag(edge.middle(), ImVec2(edge.middle().x + 60, edge.middle().y));
   EXPECT_NEAR(studio.settings().layout.at("left width"), 390, 6);
   EXPECT_NEAR(hand.place("land").low.x, 390, 8);
-  hand.key(keys::function + 2);
+  hand.key(ui::keys::function + 2);
   EXPECT_FALSE(hand.has("edge left"));
   EXPECT_EQ(hand.place("land").low.x, 0);
 }

@@ -18,15 +18,15 @@ TEST_F(ShellHand, KeysNeverActThroughADialogOrAMenu) {
     hand.shortcut(' ', false);
     settle();
     EXPECT_EQ(now().step(), 1) << dialog;
-    EXPECT_EQ(now().activity, Activity::paused) << dialog;
-    hand.key(keys::escape);
+    EXPECT_EQ(now().activity, session::Activity::paused) << dialog;
+    hand.key(ui::keys::escape);
     EXPECT_FALSE(shell->is_open(dialog));
   }
   hand.click("menu Run");
   hand.shortcut('R', false);
   settle();
   EXPECT_EQ(now().step(), 1) << "a menu is open";
-  hand.key(keys::escape);
+  hand.key(ui::keys::escape);
   hand.shortcut('R', false);
   settle();
   EXPECT_EQ(now().step(), 0) << "and now none is";
@@ -34,12 +34,12 @@ TEST_F(ShellHand, KeysNeverActThroughADialogOrAMenu) {
 
 TEST_F(ShellHand, TheLandDoesNotFlyWhileADialogIsTypedInto) {
   create();
-  const Camera before = shell->scenery().camera.camera();
+  const picture::Camera before = shell->scenery().camera.camera();
   shell->open("KEYS");
   hand.frames(3);
   hand.shortcut('W', false);
   EXPECT_EQ(shell->scenery().camera.camera(), before);
-  hand.key(keys::escape);
+  hand.key(ui::keys::escape);
   hand.shortcut('W', false);
   EXPECT_NE(shell->scenery().camera.camera(), before);
 }
@@ -48,11 +48,11 @@ TEST_F(ShellHand, EscapeClosesMenusAndListsAndTheNextClickCounts) {
   create();
   hand.click("menu File");
   EXPECT_TRUE(hand.has("menu File/Save"));
-  hand.key(keys::escape);
+  hand.key(ui::keys::escape);
   EXPECT_FALSE(hand.has("menu File/Save"));
   hand.click("LOOK/show");
   EXPECT_TRUE(hand.has("LOOK/show=slope"));
-  hand.key(keys::escape);
+  hand.key(ui::keys::escape);
   EXPECT_FALSE(hand.has("LOOK/show=slope"));
   hand.click("RUN/step");
   settle();
@@ -66,7 +66,7 @@ TEST_F(ShellHand, AListInADialogClosesBeforeTheDialog) {
   shell->open("KEYS");
   hand.frames(3);
   hand.click("menu Help");
-  hand.key(keys::escape);
+  hand.key(ui::keys::escape);
   EXPECT_FALSE(hand.has("menu Help/Log"));
   EXPECT_TRUE(shell->is_open("KEYS"));
 }

@@ -4,12 +4,17 @@
 #include "panel_hand.h"
 
 namespace erg::test {
+
+using sim::season_snowfall_parameter;
+using ui::make_temperature_panel;
+using ui::make_wind_panel;
+
 namespace {
 
 TEST(TemperaturePanel, IsWantedForSnowOnly) {
   PanelHand panel(make_wind_panel());
   const auto temperature = make_temperature_panel();
-  const Desk desk{panel.studio, {}, LandTool::camera, {}, {}, {}, {}, {}, {}};
+  const ui::Desk desk{panel.studio, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
   EXPECT_FALSE(temperature->wanted(desk));
   panel.studio.setup().choose_material(Material::snow);
   EXPECT_TRUE(temperature->wanted(desk));
@@ -25,7 +30,7 @@ TEST(TemperaturePanel, EndsAreTypedAndTheCurveBetweenThemIsBent) {
   const Temperature& now = panel.studio.setup().config().temperature;
   EXPECT_EQ(now.first, -20);
   EXPECT_EQ(now.last, -5);
-  const WidgetPlace box = panel.hand.place("curve/box");
+  const ui::WidgetPlace box = panel.hand.place("curve/box");
   panel.hand.drag(panel.hand.place("curve/first").middle(), {box.high.x, box.high.y});
   EXPECT_NEAR(now.curve.first.x, 1, 0.01);
   EXPECT_NEAR(now.curve.first.y, 0, 0.01);

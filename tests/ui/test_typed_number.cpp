@@ -6,6 +6,11 @@
 #include "ui/widgets/widgets.h"
 
 namespace erg::test {
+
+using ui::as_pasted_number;
+using ui::as_typed_in_number;
+using ui::real_row;
+
 namespace {
 
 TEST(TypedNumber, MarksAndDigitsOfEveryScriptAreRead) {
@@ -41,11 +46,11 @@ class NumberFields : public testing::Test {
     ImGui::SetNextWindowSize({320, 600});
     ImGui::Begin("window");
     {
-      const WidgetScope scope("PANEL");
+      const ui::WidgetScope scope("PANEL");
       real_row({.label = "sliding"}, sliding, 0, 100);
       real_row({.label = "typed"}, typed, 0, 0);
-      integer_row({.label = "whole"}, whole, 1, 1000);
-      text_row({.label = "text"}, text);
+      ui::integer_row({.label = "whole"}, whole, 1, 1000);
+      ui::text_row({.label = "text"}, text);
     }
     ImGui::End();
   }};
@@ -68,7 +73,7 @@ TEST_F(NumberFields, WhatIsPastedIsReadTheSameWay) {
     hand.shortcut('A');
     ImGui::SetClipboardText(what);
     hand.shortcut('V');
-    hand.key(keys::enter);
+    hand.key(ui::keys::enter);
   };
   paste("0,75");
   EXPECT_DOUBLE_EQ(typed, 0.75);

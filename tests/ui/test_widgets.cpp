@@ -5,6 +5,11 @@
 #include "ui/widgets/widgets.h"
 
 namespace erg::test {
+
+using ui::button;
+using ui::parameter_row;
+using ui::RowEvent;
+
 namespace {
 
 // One window with these rows in it.
@@ -14,7 +19,7 @@ UiHarness in_a_window(std::function<void()> rows) {
     ImGui::SetNextWindowSize({320, 600});
     ImGui::Begin("window");
     {
-      const WidgetScope scope("PANEL");
+      const ui::WidgetScope scope("PANEL");
       rows();
     }
     ImGui::End();
@@ -25,7 +30,7 @@ TEST(Widgets, ASliderFollowsTheMouseAndTakesTypedNumbersWithinItsRange) {
   double value = 0.5;
   RowEvent last = RowEvent::none;
   UiHarness hand = in_a_window([&] {
-    const RowEvent event = real_row({.label = "landing chance"}, value, 0, 1);
+    const RowEvent event = ui::real_row({.label = "landing chance"}, value, 0, 1);
     if (event != RowEvent::none) last = event;
   });
   hand.drag("PANEL/landing chance", {0.5f, 0.5f}, {0.95f, 0.5f});
@@ -62,7 +67,7 @@ TEST(Widgets, WhatIsUnavailableCannotBeChangedOrPressed) {
   bool value = false;
   int pressed = 0;
   UiHarness hand = in_a_window([&] {
-    switch_row({.label = "open", .unavailable = "It is running."}, value);
+    ui::switch_row({.label = "open", .unavailable = "It is running."}, value);
     pressed += button("CREATE", {.unavailable = "Nothing has changed."}) ? 1 : 0;
     pressed += button("GROW") ? 100 : 0;
   });
@@ -77,7 +82,7 @@ TEST(Widgets, WhatIsUnavailableCannotBeChangedOrPressed) {
 
 TEST(Widgets, TextChangesWithEveryLetter) {
   std::string value = "old";
-  UiHarness hand = in_a_window([&] { text_row({.label = "title"}, value); });
+  UiHarness hand = in_a_window([&] { ui::text_row({.label = "title"}, value); });
   hand.click("title");
   hand.shortcut('A');
   hand.type("star dune");

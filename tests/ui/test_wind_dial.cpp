@@ -5,6 +5,9 @@
 #include "ui/widgets/wind_dial.h"
 
 namespace erg::test {
+
+using ui::wind_dial;
+
 namespace {
 
 struct DialHand {
@@ -12,7 +15,7 @@ struct DialHand {
   int changes = 0;
   UiHarness hand = in_a_column([this] {
     changes += wind_dial("dial", bearing, 140) ? 1 : 0;
-    changes += type_bearing("bearing", bearing) ? 1 : 0;
+    changes += ui::type_bearing("bearing", bearing) ? 1 : 0;
   });
 };
 

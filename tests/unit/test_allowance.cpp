@@ -9,6 +9,14 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using process::allowed_memory;
+using process::allowed_threads;
+using process::memory_left_to_groups;
+using process::memory_left_to_job;
+using process::processor_quota;
+using process::unlimited_memory;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +43,7 @@ class Machine {
     file(folder + "/memory.stat", stat);
   }
   void variable(const std::string& name, const std::string& value) { variables_[name] = value; }
-  SystemView view() const {
+  process::SystemView view() const {
     return {folder_.path(), [this](const char* name) {
               const auto found = variables_.find(name);
               return found == variables_.end() ? nullptr : found->second.c_str();

@@ -14,6 +14,10 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::unfinished_name;
+using io::write_file_atomically;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,7 +71,7 @@ TEST_F(AtomicFile, AnUnfinishedFileThatCannotBeEmptiedIsClosedAgain) {
   const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
   ASSERT_GE(reader, 0);
   const auto before = open_files();
-  EXPECT_THROW(write_file_atomically(folder_ / "old.txt", "new"), WriteError);
+  EXPECT_THROW(write_file_atomically(folder_ / "old.txt", "new"), io::WriteError);
   EXPECT_EQ(open_files(), before);
   EXPECT_EQ(read_bytes(folder_ / "old.txt"), "old");
   ::close(reader);
@@ -75,7 +79,7 @@ TEST_F(AtomicFile, AnUnfinishedFileThatCannotBeEmptiedIsClosedAgain) {
 
 TEST_F(AtomicFile, WritersOfOneFileDoNotMeet) {
   const fs::path path = folder_ / "old.txt";
-  write_file_atomically(path, [&](const ByteSink& outer) {
+  write_file_atomically(path, [&](const io::ByteSink& outer) {
     outer("outer, ");
     write_file_atomically(path, "inner");
     EXPECT_EQ(read_bytes(path), "inner");

@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace erg {
+
+using analysis::bedform_name;
+using analysis::BedformShape;
+using analysis::measure_bedforms;
+
 namespace {
 
 constexpr double west = 270;

@@ -6,17 +6,21 @@
 #include "temporary_folder.h"
 
 namespace erg::test {
+
+using io::parse_camera;
+using io::read_camera;
+
 namespace {
 
 TEST(CameraFile, ComesBackAsItWas) {
   const TemporaryFolder folder;
-  const Camera camera{.target = {1.25, -3, 4e3},
-                      .bearing = 359.5,
-                      .altitude = -12,
-                      .distance = 77.125,
-                      .opening = 50,
-                      .orthographic = true};
-  write_camera(folder.path() / "view.json", camera);
+  const picture::Camera camera{.target = {1.25, -3, 4e3},
+                               .bearing = 359.5,
+                               .altitude = -12,
+                               .distance = 77.125,
+                               .opening = 50,
+                               .orthographic = true};
+  io::write_camera(folder.path() / "view.json", camera);
   EXPECT_EQ(read_camera(folder.path() / "view.json"), camera);
 }
 

@@ -8,6 +8,11 @@
 #include "small_runs.h"
 
 namespace erg {
+
+using sim::Config;
+using sim::set_from_text;
+using sim::Simulation;
+
 namespace {
 
 using test::name_of;

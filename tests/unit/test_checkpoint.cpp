@@ -13,6 +13,13 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::read_checkpoint;
+using io::Saved;
+using io::write_checkpoint;
+using sim::Config;
+using sim::RunState;
+
 namespace {
 
 Config small_config() {

@@ -9,6 +9,14 @@
 #include "models/model.h"
 
 namespace erg {
+
+using io::config_text;
+using io::parse_config;
+using sim::change_model;
+using sim::Config;
+using sim::model_keys;
+using sim::set_from_text;
+
 namespace {
 
 std::string set_message(const std::string& assignment, Config config = Config()) {
@@ -33,7 +41,7 @@ TEST(Config, EveryModelHasAConfigOfDefaults) {
 TEST(Config, EveryDeclarationIsSound) {
   for (const std::string& key : model_keys()) {
     const Config config(key);
-    for (const ConfigGroup& group : config_groups()) {
+    for (const sim::ConfigGroup& group : sim::config_groups()) {
       std::set<std::string> seen;
       for (const Parameter& parameter : (config.*group.values).declared()) {
         SCOPED_TRACE(group.key + "." + parameter.key);

@@ -11,6 +11,14 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::config_text;
+using io::parse_config;
+using io::read_config;
+using io::write_config;
+using sim::Config;
+using sim::model_keys;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,7 +49,7 @@ Config random_config(std::mt19937& random) {
   const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   Config config(models[below(models.size())]);
   config.title = below(2) == 0 ? "" : "A \"title\"\n\u00e9\\";
-  for (const ConfigGroup& group : config_groups()) {
+  for (const sim::ConfigGroup& group : sim::config_groups()) {
     ParameterValues& values = config.*group.values;
     for (const Parameter& parameter : Parameters(values.declared())) {
       if (below(2) == 0) continue;
@@ -404,7 +412,7 @@ TEST_F(ConfigFile, ReplacesTheFileThatStoodThere) {
 }
 
 TEST_F(ConfigFile, TheSchemaFollowsFromTheDeclarations) {
-  const nlohmann::json schema = nlohmann::json::parse(config_schema());
+  const nlohmann::json schema = nlohmann::json::parse(io::config_schema());
   EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
   EXPECT_EQ(schema["properties"]["model"]["enum"], nlohmann::json(model_keys()));
   EXPECT_EQ(schema["allOf"].size(), model_keys().size());
@@ -423,9 +431,9 @@ TEST_F(ConfigFile, TheSchemaFollowsFromTheDeclarations) {
       EXPECT_EQ(property["maximum"].get<double>(), parameter.maximum);
     }
   };
-  expect_group(schema["properties"]["grid"], grid_parameters());
-  expect_group(schema["properties"]["scene"], scene_parameters());
-  expect_group(schema["properties"]["run"], run_parameters());
+  expect_group(schema["properties"]["grid"], sim::grid_parameters());
+  expect_group(schema["properties"]["scene"], sim::scene_parameters());
+  expect_group(schema["properties"]["run"], sim::run_parameters());
   for (const ModelType& type : catalogue()) expect_group(schema["$defs"][type.info.key], type.parameters);
 }
 

@@ -7,6 +7,10 @@
 #include "analysis/crest_defects.h"
 
 namespace erg {
+
+using analysis::CoarseSurface;
+using analysis::count_crest_defects;
+
 namespace {
 
 /// Waves 16 cells long under a west wind. With `ends`, one crest more between two points one over the other.

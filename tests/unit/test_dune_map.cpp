@@ -11,6 +11,16 @@
 #include "core/units.h"
 
 namespace erg {
+
+using analysis::asymmetry;
+using analysis::dune_centre;
+using analysis::dune_map;
+using analysis::DuneMap;
+using analysis::find_horns;
+using analysis::GridPoint;
+using analysis::HornVolumes;
+using analysis::mismatch;
+
 namespace {
 
 constexpr int side = 128;
@@ -95,7 +105,7 @@ TEST(DuneMap, MeanMapsAreMeansOfTheirPoints) {
   DuneMap twice = one;
   for (double& height : twice.height.cells()) height *= 3;
   const std::vector<DuneMap> both{one, twice};
-  EXPECT_NEAR(mean_map(both).volume(), 2 * one.volume(), 1e-9);
+  EXPECT_NEAR(analysis::mean_map(both).volume(), 2 * one.volume(), 1e-9);
   EXPECT_NEAR(mismatch(one, twice), 0.5, 1e-9);
 }
 

@@ -11,6 +11,13 @@
 #include "core/units.h"
 
 namespace erg {
+
+using analysis::Dune;
+using analysis::DuneOutlines;
+using analysis::DuneTracker;
+using analysis::find_dunes;
+using analysis::match_dunes;
+
 namespace {
 
 constexpr double west = 270;
@@ -164,7 +171,7 @@ TEST(DuneOutlines, AreWholeAcrossTheEdgeAndApartWhenTheyDoNotTouch) {
   EXPECT_LT(found.dunes[0].x, 32);
   EXPECT_EQ(find_dunes(terrain, west, {.base = 0, .least = 9, .smallest = 1}).dunes.size(), 2u);
   EXPECT_TRUE(find_dunes(terrain, west, {.base = 0, .least = 10, .smallest = 1}).dunes.empty());
-  EXPECT_EQ(mean_of_dunes({}).dunes, 0);
+  EXPECT_EQ(analysis::mean_of_dunes({}).dunes, 0);
 }
 
 TEST(DuneOutlines, OfABarchanAcrossTheCornerAreThoseOfOneInTheMiddle) {

@@ -8,6 +8,10 @@
 #include "sim/simulation.h"
 
 namespace erg {
+
+using sim::FluxWatch;
+using sim::Simulation;
+
 namespace {
 
 TEST(Executor, PiecesCoverEachItemOnceOnAnyNumberOfThreads) {
@@ -66,11 +70,11 @@ TEST(Flux, IsTheMeanOfTwentyStepsOrOfThoseThereAre) {
 
 TEST(Flux, OfARunIsWhatItsStepsLifted) {
   for (const std::string model : {"momiji", "snow_sintering", "grains"}) {
-    Config config(model);
+    sim::Config config(model);
     config.grid.set("nx", std::int64_t{32});
     config.grid.set("ny", std::int64_t{24});
     if (model == "grains") config.grid.set("cell_size", 0.01);
-    if (model != "momiji") set_from_text(config, "wind.strength=14");
+    if (model != "momiji") sim::set_from_text(config, "wind.strength=14");
     Simulation plain(config);
     Simulation watched(config);
     watched.watch_flux(true);

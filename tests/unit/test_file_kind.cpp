@@ -8,6 +8,11 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::file_kind;
+using io::FileKind;
+using io::read_height_picture;
+
 namespace {
 
 struct Given {

@@ -12,6 +12,13 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::file_trouble;
+using io::nearest_path;
+using io::parse_config;
+using io::read_config;
+using io::utf8_text;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -139,13 +146,13 @@ TEST(Comments, AreReadOverAndNotKept) {
       << "lines are counted through comments";
   write_bytes(folder / "a.json", text.substr(0, text.find(", \"ny\"")) + "}}");
   std::vector<std::string> notes;
-  const Config config = read_config(folder / "a.json", &notes);
+  const sim::Config config = read_config(folder / "a.json", &notes);
   EXPECT_EQ(config.title, "no // comment");
   EXPECT_EQ(config.grid.integer("nx"), 12);
   EXPECT_EQ(notes,
             std::vector<std::string>{(folder / "a.json").string() + ": its comments are not kept in what is written"});
   notes.clear();
-  write_config(folder / "b.json", config);
+  io::write_config(folder / "b.json", config);
   EXPECT_EQ(read_config(folder / "b.json", &notes), config);
   EXPECT_TRUE(notes.empty()) << "a // in a text is no comment";
   EXPECT_TRUE(holds(message([] { parse_config("{\n# dunes\n\"erg\": 1}", "a.json"); }), "a comment begins with //"));

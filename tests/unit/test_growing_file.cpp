@@ -8,6 +8,11 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::GrowingFile;
+using io::TableFile;
+using sim::Config;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,12 +53,12 @@ TEST(GrowingFile, DoesNotGrowWhatHasTakenItsName) {
   file.replace("one\n");
   fs::remove(folder / "a.csv");
   write_bytes(folder / "a.csv", "another\n");
-  EXPECT_THROW(file.append("two\n"), WriteError);
+  EXPECT_THROW(file.append("two\n"), io::WriteError);
   EXPECT_EQ(read_bytes(folder / "a.csv"), "another\n");
 }
 
 /// Where a table of this config's run begins.
-Provenance run_of(const Config& config) { return provenance_of(config, 0, "cpu", 2); }
+io::Provenance run_of(const Config& config) { return io::provenance_of(config, 0, "cpu", 2); }
 
 std::string resumed(const fs::path& path, const Config& config) {
   return message([&] { TableFile::resume(path, {"step"}, run_of(config), 5); });
@@ -72,7 +77,7 @@ TEST(TableOfAnotherRun, IsNotGoneOnWith) {
             (folder / "t.csv").string() +
                 ": holds the rows of another run: seed is 1 there and 2 here; name another folder with --out");
   other = config;
-  change_model(other, "werner");
+  sim::change_model(other, "werner");
   EXPECT_NE(resumed(folder / "t.csv", other).find("model is momiji there and werner here"), std::string::npos);
   other = config;
   other.grid.set("nx", std::int64_t{64});

@@ -4,6 +4,9 @@
 #include "analysis/heap_middle.h"
 
 namespace erg {
+
+using analysis::heap_middle;
+
 namespace {
 
 TEST(HeapMiddle, OfAHeapAcrossTheEdge) {

@@ -14,6 +14,20 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::config_text;
+using io::HeightPictureOptions;
+using io::parse_config;
+using io::read_height_picture;
+using io::start_simulation;
+using sim::Config;
+using sim::HeightPicture;
+using sim::HeightRange;
+using sim::memory_of_run;
+using sim::NoDataRule;
+using sim::PictureFit;
+using sim::Simulation;
+
 namespace {
 
 using test::PngBytes;
@@ -243,7 +257,7 @@ class GroundFromPicture : public HeightPictures {
   std::filesystem::path own_heightmap() const {
     Terrain terrain({5, 4}, 2.0, 0.5);
     for (int cell = 0; cell < 20; ++cell) terrain.edit_bedrock()[static_cast<std::size_t>(cell)] = cell * 61 % 62 - 8;
-    write_heightmap(folder_ / "own.png", terrain, {});
+    io::write_heightmap(folder_ / "own.png", terrain, {});
     return folder_ / "own.png";
   }
   static HeightRange surface(Simulation simulation) {

@@ -10,6 +10,13 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::MetadataEntries;
+using io::read_height_picture;
+using io::read_png_metadata;
+using io::write_heightmap;
+using sim::HeightPicture;
+
 namespace {
 
 std::string entry(const MetadataEntries& entries, const std::string& name) {
@@ -59,10 +66,10 @@ TEST(Heightmap, AFlatSurfaceIsBlack) {
 
 TEST(Heightmap, EightBitColourPicturesAreReadAsGrey) {
   const TemporaryFolder folder;
-  RgbImage image(3, 2, {1, 1, 1});
+  picture::RgbImage image(3, 2, {1, 1, 1});
   image.set(0, 1, {0, 0, 0});  // lower left: south-west
   image.set(1, 0, {0.2f, 0.2f, 0.2f});
-  write_png(folder / "c.png", image, {});
+  io::write_png(folder / "c.png", image, {});
   const HeightPicture picture = read_height_picture(folder / "c.png");
   EXPECT_EQ(picture(0, 0), 0);
   EXPECT_NEAR(picture(1, 1), 0.2, 1e-3);

@@ -12,6 +12,9 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::write_obj;
+
 namespace {
 
 using Point = std::array<float, 3>;
@@ -45,7 +48,8 @@ float upward(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-const Provenance source{.config = "{\n}", .seed = 7, .step = 40, .model = "werner", .version = "9", .executor = "cpu"};
+const io::Provenance source{
+    .config = "{\n}", .seed = 7, .step = 40, .model = "werner", .version = "9", .executor = "cpu"};
 
 TEST(Mesh, ObjHasTheSurfaceInMetres) {
   const TemporaryFolder folder;
@@ -83,7 +87,7 @@ TEST(Mesh, ObjHasTheSurfaceInMetres) {
 TEST(Mesh, PlyHasTheSameAndTheThickness) {
   const TemporaryFolder folder;
   const Terrain terrain = hills();
-  write_ply(folder / "dunes.ply", terrain, source);
+  io::write_ply(folder / "dunes.ply", terrain, source);
   const std::string bytes = read_bytes(folder / "dunes.ply");
   EXPECT_NE(bytes.find("element vertex 20\n"), std::string::npos);
   EXPECT_NE(bytes.find("element face 24\n"), std::string::npos);
@@ -103,7 +107,7 @@ TEST(Mesh, PlyHasTheSameAndTheThickness) {
 
 TEST(Mesh, StlIsAClosedBody) {
   const TemporaryFolder folder;
-  write_stl(folder / "dunes.stl", hills(), source);
+  io::write_stl(folder / "dunes.stl", hills(), source);
   const std::string bytes = read_bytes(folder / "dunes.stl");
   EXPECT_FALSE(bytes.starts_with("solid")) << "that is how the text form begins";
   std::size_t at = 80;

@@ -6,6 +6,10 @@
 #include <numbers>
 
 namespace erg {
+
+using analysis::CoarseSurface;
+using analysis::pattern_shift;
+
 namespace {
 
 // A few smooth heaps on a torus, moved by (dx, dy).
@@ -62,7 +66,7 @@ TEST(Migration, NothingMovesOnAFlatSurfaceAndNothingStandingMoves) {
 }
 
 TEST(Migration, TrackerGivesTheMeanVelocity) {
-  MigrationTracker tracker;
+  analysis::MigrationTracker tracker;
   EXPECT_FALSE(tracker.velocity());
   for (const int step : {0, 10, 30, 60}) tracker.observe(step, heaps({128, 128}, 0.15 * step, -0.05 * step));
   ASSERT_TRUE(tracker.velocity());

@@ -5,6 +5,10 @@
 #include <cmath>
 
 namespace erg {
+
+using analysis::measure;
+using analysis::Morphometry;
+
 namespace {
 
 TEST(Morphometry, CountsTheMobileLayer) {
@@ -32,7 +36,7 @@ TEST(Morphometry, HighGroundCostsNoPrecision) {
 TEST(Morphometry, ShadowFractionIsTheShareOfDarkCells) {
   Grid<std::uint8_t> shadow({4, 2});
   shadow(1, 1) = shadow(2, 0) = 1;
-  EXPECT_DOUBLE_EQ(shadow_fraction(shadow), 0.25);
+  EXPECT_DOUBLE_EQ(analysis::shadow_fraction(shadow), 0.25);
 }
 
 }  // namespace

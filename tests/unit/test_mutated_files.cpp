@@ -16,6 +16,14 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::camera_text;
+using io::parse_camera;
+using io::parse_config;
+using io::read_height_picture;
+using sim::Config;
+using sim::Simulation;
+
 namespace {
 
 std::string with_checksum(std::string bytes) {
@@ -39,13 +47,13 @@ std::string checkpoint_of(const std::string& model, const std::filesystem::path&
   Simulation simulation(config);
   simulation.step();
   simulation.step();
-  write_checkpoint(path, config, simulation.state());
+  io::write_checkpoint(path, config, simulation.state());
   return read_bytes(path);
 }
 
 /// Goes on from a checkpoint if it is accepted.
 void go_on(const std::filesystem::path& path) {
-  Saved saved = read_checkpoint(path);
+  io::Saved saved = io::read_checkpoint(path);
   Simulation simulation(saved.config, std::move(saved.state));
   simulation.step();
   const Terrain& terrain = simulation.terrain();
@@ -78,7 +86,7 @@ TEST(MutatedFiles, AConfigIsRefusedOrReadAsItIsWritten) {
       const std::string mutated = mutator.of(text);
       message([&] {
         const Config config = parse_config(mutated, "a.json");
-        EXPECT_EQ(parse_config(config_text(config), "b.json"), config);
+        EXPECT_EQ(parse_config(io::config_text(config), "b.json"), config);
       });
     }
   }
@@ -91,7 +99,7 @@ TEST(MutatedFiles, ACameraIsRefusedOrReadAsItIsWritten) {
     SCOPED_TRACE("mutation " + std::to_string(number));
     const std::string mutated = mutator.of(text);
     message([&] {
-      const Camera camera = parse_camera(mutated, "a.json");
+      const picture::Camera camera = parse_camera(mutated, "a.json");
       EXPECT_EQ(parse_camera(camera_text(camera), "b.json"), camera);
     });
   }
@@ -100,8 +108,8 @@ TEST(MutatedFiles, ACameraIsRefusedOrReadAsItIsWritten) {
 // A checksum finds nearly all mutations: with right ones over them the decoder meets what is wrong itself.
 TEST(MutatedFiles, APictureIsRefusedOrHasGreysFromBlackToWhite) {
   const TemporaryFolder folder;
-  write_heightmap(folder / "16.png", Terrain({23, 17}, 1, 1), {"{}", 1, 2, "werner", "1.0", "cpu"});
-  write_png(folder / "8.png", RgbImage(23, 17, {0.3f, 0.3f, 0.3f}), {});
+  io::write_heightmap(folder / "16.png", Terrain({23, 17}, 1, 1), {"{}", 1, 2, "werner", "1.0", "cpu"});
+  io::write_png(folder / "8.png", picture::RgbImage(23, 17, {0.3f, 0.3f, 0.3f}), {});
   test::PngBytes interlaced{
       .width = 5, .height = 4, .kind = test::grey_opacity, .samples = std::vector<int>(40, 65535)};
   interlaced.interlaced = true;
@@ -115,11 +123,11 @@ TEST(MutatedFiles, APictureIsRefusedOrHasGreysFromBlackToWhite) {
       const std::string mutated = mutator.of(bytes);
       write_bytes(folder / "mutated.png", number % 3 == 0 ? mutated : test::with_right_checksums(mutated));
       message([&] {
-        const HeightPicture picture =
-            read_height_picture(folder / "mutated.png", {.grid = {6, 5}, .no_data = NoDataRule::around});
+        const sim::HeightPicture picture =
+            read_height_picture(folder / "mutated.png", {.grid = {6, 5}, .no_data = sim::NoDataRule::around});
         for (const float grey : picture.cells()) ASSERT_TRUE(grey >= 0 && grey <= 1) << grey;
       });
-      message([&] { read_png_metadata(folder / "mutated.png"); });
+      message([&] { io::read_png_metadata(folder / "mutated.png"); });
     }
   }
 }

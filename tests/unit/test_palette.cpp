@@ -8,10 +8,15 @@
 #include "core/errors.h"
 
 namespace erg {
+
+using picture::Colour;
+using picture::find_palette;
+using picture::Palette;
+
 namespace {
 
 TEST(Palette, RunsFromItsFirstPointToItsLast) {
-  for (const std::string& name : palette_names()) {
+  for (const std::string& name : picture::palette_names()) {
     const Palette& palette = find_palette(name);
     ASSERT_GE(palette.points.size(), 2u) << palette.name;
     EXPECT_EQ(palette.at(0), palette.points.front()) << palette.name;

@@ -13,6 +13,15 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::draw_picture;
+using io::legend_height;
+using io::PictureOptions;
+using io::write_png;
+using picture::length_text;
+using picture::RgbImage;
+using picture::round_length;
+
 namespace {
 
 PictureOptions map_only(int pixels) {
@@ -53,7 +62,7 @@ TEST(Picture, EveryExtentCanBeDrawn) {
       options.pixels = 100;
       options.wind = WindNow{};
       const RgbImage image = draw_picture(Terrain(extent, 1, 1, boundary), options);
-      EXPECT_GE(image.width, smallest_legend);
+      EXPECT_GE(image.width, io::smallest_legend);
       EXPECT_GT(image.height, legend_height);
     }
   }
@@ -139,8 +148,9 @@ TEST(Legend, TheArrowPointsDownwind) {
     with.pixels = 400;
     with.wind = WindNow{bearing, 5};
     RgbImage image(400, legend_height);
-    draw_legend(image, 1.0, with);
-    const int left = image.width - 14 - label_width("wind " + std::to_string(static_cast<int>(bearing)) + " deg", 17);
+    io::draw_legend(image, 1.0, with);
+    const int left =
+        image.width - 14 - picture::label_width("wind " + std::to_string(static_cast<int>(bearing)) + " deg", 17);
     double ink = 0, east = 0, north = 0;
     for (int y = 0; y < legend_height; ++y) {
       for (int x = left - 42; x < left - 6; ++x) {
@@ -165,7 +175,7 @@ TEST(Image, PngCarriesPixelsAndText) {
   RgbImage image(2, 1, {1, 0.5f, 0});
   write_png(folder / "a.png", image, {{"erg:config", "{\"ä\": 1}"}});
   EXPECT_TRUE(read_bytes(folder / "a.png").starts_with("\x89PNG"));
-  EXPECT_EQ(read_png_metadata(folder / "a.png"), (MetadataEntries{{"erg:config", "{\"ä\": 1}"}}));
+  EXPECT_EQ(io::read_png_metadata(folder / "a.png"), (io::MetadataEntries{{"erg:config", "{\"ä\": 1}"}}));
   EXPECT_THROW(write_png(folder / "none/a.png", image, {}), InputError);
 }
 

@@ -5,6 +5,9 @@
 #include "models/model.h"
 
 namespace erg {
+
+using io::parse_config;
+
 namespace {
 
 const PiecewiseLinear growth{{{-1, -0.5}, {0, 0}, {0.5, 1}}};
@@ -40,11 +43,11 @@ TEST(CurveParameter, RefusesWhatIsNoCurveWithinItsRanges) {
 }
 
 TEST(CurveParameter, GoesThroughAConfigFile) {
-  const Config read = parse_config(
+  const sim::Config read = parse_config(
       R"({"erg": 1, "model": "nield_baas", "parameters": {"grass_growth": [[-1, -1], [0.5, 0.25], [2, -0.5]]}})", "c");
   const PiecewiseLinear expected{{{-1, -1}, {0.5, 0.25}, {2, -0.5}}};
   EXPECT_EQ(read.parameters.curve("grass_growth"), expected);
-  EXPECT_EQ(parse_config(config_text(read), "saved"), read);
+  EXPECT_EQ(parse_config(io::config_text(read), "saved"), read);
   try {
     parse_config("{\"erg\": 1, \"model\": \"nield_baas\",\n\"parameters\": {\"grass_growth\": [[0, 0], [0, 1]]}}", "c");
     FAIL();

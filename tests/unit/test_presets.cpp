@@ -7,6 +7,10 @@
 #include "io/config/config_file.h"
 
 namespace erg {
+
+using io::read_config;
+using sim::Config;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,7 +36,7 @@ TEST(Presets, AllLoadAndSayWhatTheyShow) {
     EXPECT_FALSE(config.title.empty());
     EXPECT_TRUE(config.description.ends_with('.')) << "a sentence";
     EXPECT_TRUE(titles.insert(config.title).second) << "two presets have this title";
-    EXPECT_EQ(parse_config(config_text(config), "saved"), config);
+    EXPECT_EQ(io::parse_config(io::config_text(config), "saved"), config);
   }
 }
 

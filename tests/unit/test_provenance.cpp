@@ -13,6 +13,12 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::Provenance;
+using io::provenance_of;
+using io::read_config;
+using sim::Config;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,14 +34,14 @@ Config of_seasons(int count) {
 }
 
 std::map<std::string, std::string> entries_of(const Config& config) {
-  const MetadataEntries entries = metadata(provenance_of(config, 0, "cpu", 2));
+  const io::MetadataEntries entries = io::metadata(provenance_of(config, 0, "cpu", 2));
   return {entries.begin(), entries.end()};
 }
 
 TEST(Provenance, HoldsAShortConfigAndItsHash) {
   const Config config;
   const auto entries = entries_of(config);
-  EXPECT_EQ(entries.at("erg:config"), config_text(config));
+  EXPECT_EQ(entries.at("erg:config"), io::config_text(config));
   EXPECT_EQ(entries.at("erg:config-hash").size(), 16u);
   EXPECT_EQ(entries.count("erg:config-file"), 0u);
   Config other = config;
@@ -54,12 +60,12 @@ TEST(Provenance, ThousandsOfSeasonsStandOnceBesideAllFiles) {
   const Config config = of_seasons(5000);
   const Provenance source = provenance_of(config, 3, "cpu", 2);
   const Terrain terrain({8, 8}, 1, 0.1);
-  write_heightmap(folder / "h.png", terrain, source);
-  write_vti(folder / "v.vti", terrain, nullptr, source);
-  write_obj(folder / "o.obj", terrain, source);
-  write_ply(folder / "p.ply", terrain, source);
-  write_table(folder / "t.csv", {"step"}, {{1}}, source);
-  write_run_png(folder / "r.png", RgbImage(2, 2), source);
+  io::write_heightmap(folder / "h.png", terrain, source);
+  io::write_vti(folder / "v.vti", terrain, nullptr, source);
+  io::write_obj(folder / "o.obj", terrain, source);
+  io::write_ply(folder / "p.ply", terrain, source);
+  io::write_table(folder / "t.csv", {"step"}, {{1}}, source);
+  io::write_run_png(folder / "r.png", picture::RgbImage(2, 2), source);
   int configs = 0;
   for (const auto& entry : fs::directory_iterator(folder.path())) {
     if (entry.path().extension() != ".json") {
@@ -76,7 +82,7 @@ TEST(Provenance, ThousandsOfSeasonsStandOnceBesideAllFiles) {
 TEST(Provenance, WindsOfManyThousandSeasonsAreRead) {
   const TemporaryFolder folder;
   const Config config = of_seasons(40000);
-  write_config(folder / "long.json", config);
+  io::write_config(folder / "long.json", config);
   EXPECT_GT(fs::file_size(folder / "long.json"), std::uintmax_t{1} << 20);
   EXPECT_EQ(read_config(folder / "long.json"), config);
 }

@@ -23,6 +23,13 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using analysis::find_dunes;
+using sim::Config;
+using sim::HeightPicture;
+using sim::RunState;
+using sim::Simulation;
+
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -200,19 +207,19 @@ TEST(LibraryUse, NothingIsMeasuredOrWrittenOfATerrainWithoutCells) {
   for (const Terrain& terrain : {Terrain(), torn}) {
     EXPECT_THROW(state_hash(terrain), InputError);
     EXPECT_THROW(surface_range(terrain), InputError);
-    EXPECT_THROW(measure(terrain), InputError);
-    EXPECT_THROW(measure_bedforms(terrain, 270), InputError);
+    EXPECT_THROW(analysis::measure(terrain), InputError);
+    EXPECT_THROW(analysis::measure_bedforms(terrain, 270), InputError);
     EXPECT_THROW(find_dunes(terrain, 270), InputError);
-    EXPECT_THROW(find_stars(terrain, 3), InputError);
-    EXPECT_THROW(find_dunes(terrain, 270, DuneRule{}), InputError);
-    EXPECT_THROW(coarse_surface(terrain, Layer::surface), InputError);
-    EXPECT_THROW(write_heightmap(folder / "a.png", terrain, {}), InputError);
-    EXPECT_THROW(write_obj(folder / "a.obj", terrain, {}), InputError);
-    EXPECT_THROW(write_ply(folder / "a.ply", terrain, {}), InputError);
-    EXPECT_THROW(write_stl(folder / "a.stl", terrain, {}), InputError);
-    EXPECT_THROW(write_vti(folder / "a.vti", terrain, nullptr, {}), InputError);
-    EXPECT_THROW(draw_picture(terrain, {}), InputError);
-    EXPECT_THROW(write_checkpoint(folder / "a.checkpoint", Config(), RunState{terrain, 0, {}}), InputError);
+    EXPECT_THROW(analysis::find_stars(terrain, 3), InputError);
+    EXPECT_THROW(find_dunes(terrain, 270, analysis::DuneRule{}), InputError);
+    EXPECT_THROW(analysis::coarse_surface(terrain, analysis::Layer::surface), InputError);
+    EXPECT_THROW(io::write_heightmap(folder / "a.png", terrain, {}), InputError);
+    EXPECT_THROW(io::write_obj(folder / "a.obj", terrain, {}), InputError);
+    EXPECT_THROW(io::write_ply(folder / "a.ply", terrain, {}), InputError);
+    EXPECT_THROW(io::write_stl(folder / "a.stl", terrain, {}), InputError);
+    EXPECT_THROW(io::write_vti(folder / "a.vti", terrain, nullptr, {}), InputError);
+    EXPECT_THROW(io::draw_picture(terrain, {}), InputError);
+    EXPECT_THROW(io::write_checkpoint(folder / "a.checkpoint", Config(), RunState{terrain, 0, {}}), InputError);
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }

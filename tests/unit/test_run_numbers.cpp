@@ -7,20 +7,25 @@
 #include <cmath>
 
 namespace erg {
+
+using io::RunMeter;
+using sim::Simulation;
+
 namespace {
 
 /// One number of a row, by its key.
 double number(const std::vector<double>& row, const std::string& key) {
-  const auto& numbers = run_numbers();
-  const auto place = std::find_if(numbers.begin(), numbers.end(), [&](const RunNumber& one) { return one.key == key; });
+  const auto& numbers = io::run_numbers();
+  const auto place =
+      std::find_if(numbers.begin(), numbers.end(), [&](const io::RunNumber& one) { return one.key == key; });
   return row.at(static_cast<std::size_t>(place - numbers.begin()));
 }
 
 Simulation barchan(double bearing) {
-  Config config("momiji");
+  sim::Config config("momiji");
   for (const char* setting :
        {"nx=96", "ny=96", "scene.kind=cone", "sand=0", "scene.height=8", "executor=cpu", "threads=1"}) {
-    set_from_text(config, setting);
+    sim::set_from_text(config, setting);
   }
   config.wind = Regime::constant(bearing, 5);
   Simulation simulation(config);

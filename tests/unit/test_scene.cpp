@@ -8,6 +8,11 @@
 #include <vector>
 
 namespace erg {
+
+using sim::build_scene;
+using sim::Config;
+using sim::HeightPicture;
+
 namespace {
 
 constexpr double quantum = 1.0 / 3;
@@ -25,7 +30,7 @@ double mean_mobile(const Terrain& terrain) {
 }
 
 const std::vector<std::string>& all_kinds() {
-  static const Parameters declared = scene_parameters();
+  static const Parameters declared = sim::scene_parameters();
   return declared.front().choices;
 }
 

@@ -9,6 +9,12 @@
 #include "core/random.h"
 
 namespace erg {
+
+using analysis::CoarseSurface;
+using analysis::crest_spacing;
+using analysis::measure_spectrum;
+using analysis::SpectrumNumbers;
+
 namespace {
 
 CoarseSurface waves(Extent extent, double waves_x, double waves_y, bool periodic = true) {
@@ -34,7 +40,7 @@ TEST(Spectrum, TransformAndBack) {
     for (std::size_t cell = 0; cell < surface.heights.size(); ++cell) {
       sum += surface.heights[cell] = random_unit({1, 0}, 0, cell, 0);
     }
-    const Grid<double> back = transform_back(transform(surface));
+    const Grid<double> back = analysis::transform_back(analysis::transform(surface));
     for (std::size_t cell = 0; cell < back.size(); ++cell) {
       EXPECT_NEAR(back[cell], surface.heights[cell] - sum / static_cast<double>(back.size()), 1e-12);
     }
@@ -95,7 +101,7 @@ TEST(Spectrum, CrestsThatRunBothWaysHaveNoBearing) {
   for (const double share : {0.0, 0.25, 0.4, 0.5, 1.0}) {
     const SpectrumNumbers found = crossed(share);
     EXPECT_NEAR(found.alignment, (1 - share) / (1 + share), 1e-9);
-    EXPECT_EQ(found.crest_bearing.has_value(), found.alignment >= least_alignment) << share;
+    EXPECT_EQ(found.crest_bearing.has_value(), found.alignment >= analysis::least_alignment) << share;
   }
   EXPECT_NEAR(crossed(0.4).crest_bearing.value(), 0, 1e-6);
 }
@@ -107,7 +113,7 @@ TEST(Spectrum, LargeTerrainsAreAveragedInUnitsOfCells) {
       terrain.edit_mobile()(x, y) = 1000 + static_cast<int>(std::lround(900 * std::sin(2 * std::numbers::pi * x / 50)));
     }
   }
-  const CoarseSurface coarse = coarse_surface(terrain, Layer::mobile);
+  const CoarseSurface coarse = analysis::coarse_surface(terrain, analysis::Layer::mobile);
   EXPECT_EQ(coarse.heights.nx(), 1024);
   EXPECT_EQ(coarse.heights.ny(), 40);
   double sum = 0;

@@ -12,6 +12,10 @@
 #include "small_runs.h"
 
 namespace erg {
+
+using sim::Config;
+using sim::Simulation;
+
 namespace {
 
 using test::name_of;
@@ -53,7 +57,7 @@ TEST(Stamp, OfATerrainChangesWithItsLayersAndFieldsEachByItself) {
 
 /// Fails unless three more steps do what they would do in a run that starts here.
 void expect_goes_on_from(const Terrain& terrain, Simulation& run, const std::string& where) {
-  Simulation fresh(run.config(), RunState{terrain, run.step_count(), {}});
+  Simulation fresh(run.config(), sim::RunState{terrain, run.step_count(), {}});
   for (int step = 0; step < 3; ++step) {
     run.step();
     fresh.step();

@@ -9,6 +9,11 @@
 #include "core/units.h"
 
 namespace erg {
+
+using analysis::count_arms;
+using analysis::find_stars;
+using analysis::StarArms;
+
 namespace {
 
 constexpr int side = 128;

@@ -8,6 +8,12 @@
 #include "sim/simulation.h"
 
 namespace erg {
+
+using sim::Config;
+using sim::days_after;
+using sim::step_scale;
+using sim::world_time_text;
+
 namespace {
 
 TEST(StepTime, OfSlabModelsFollowsFromTheSandThatPasses) {
@@ -38,7 +44,7 @@ TEST(StepTime, IsThatOfTheSandThatReallyPasses) {
       config.parameters.set("shadow_angle", 80.0);  // the flux leaves shadows out, which rubble has from the first step
       config.run.set("executor", std::string(executor));
       config.run.set("threads", std::int64_t{1});
-      Simulation simulation(config);
+      sim::Simulation simulation(config);
       const double slabs = simulation.step().travel / (128 * 128);  // past a cell
       EXPECT_NEAR(slabs / 3, step_scale(config).flux, 0.04 * step_scale(config).flux) << model << " " << executor;
     }

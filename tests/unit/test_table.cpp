@@ -9,9 +9,12 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::TableFile;
+
 namespace {
 
-const Provenance origin{"{\n  \"title\": \"a\"\n}\n", 3, 0, "werner", "1.0", "cpu"};
+const io::Provenance origin{"{\n  \"title\": \"a\"\n}\n", 3, 0, "werner", "1.0", "cpu"};
 
 std::string without_comments(const std::string& text) {
   std::string rows;

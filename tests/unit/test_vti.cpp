@@ -9,6 +9,9 @@
 #include "temporary_folder.h"
 
 namespace erg {
+
+using io::write_vti;
+
 namespace {
 
 // What a reader of the format does: finds an array's offset in the XML and reads its block behind the underscore.
@@ -52,7 +55,7 @@ TEST(Vti, HoldsEveryLayerWhereItsHeaderSays) {
   EXPECT_TRUE(file.ends_with("</VTKFile>\n"));
   const std::string time = "Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">";
   EXPECT_NE(file.find(time + "2</DataArray>"), std::string::npos) << "the step, where days are not known";
-  Provenance timed{"{}", 1, 2, "werner", "1.0", "cpu"};
+  io::Provenance timed{"{}", 1, 2, "werner", "1.0", "cpu"};
   timed.days = 40.5;
   write_vti(folder / "b.vti", terrain, nullptr, timed);
   EXPECT_NE(read_bytes(folder / "b.vti").find(time + "40.5</DataArray>"), std::string::npos);

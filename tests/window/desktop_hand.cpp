@@ -292,12 +292,12 @@ int DesktopHand::wait() {
 std::string DesktopHand::errors() const { return read_all(errors_); }
 
 std::string write_small_land(const std::filesystem::path& folder) {
-  Config config("momiji");
+  sim::Config config("momiji");
   config.title = "small";
   config.grid.set("nx", std::int64_t{64});
   config.grid.set("ny", std::int64_t{48});
   config.run.set("threads", std::int64_t{2});
-  write_config(folder / "small.json", config);
+  io::write_config(folder / "small.json", config);
   return (folder / "small.json").string();
 }
 

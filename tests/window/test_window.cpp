@@ -15,6 +15,9 @@
 #include <X11/Xlib.h>
 
 namespace erg::test {
+
+using io::read_config;
+
 namespace {
 
 void keep_picture(const DesktopHand& hand, const std::string& name) {
@@ -65,7 +68,7 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   hand.key("ctrl+s");
   hand.enter("SAVE AS/name", (folder / "mine").string());
   hand.wait_for_file(folder / "mine.json");
-  const Config saved = read_config(folder / "mine.json");
+  const sim::Config saved = read_config(folder / "mine.json");
   EXPECT_EQ(saved.grid.integer("nx"), 96);
   EXPECT_FALSE(saved.wind.seasons.front().curve == BezierCurve{});
 
@@ -103,12 +106,12 @@ TEST(Window, DrawsTheLandAsTheOffscreenContextsDo) {
   hand.click("LOOK/Keep view");
   save_small_picture(hand);
   keep_picture(hand, "window_and_picture.png");
-  const RgbImage in_window = read_picture(folder / "small-40.png");
+  const picture::RgbImage in_window = read_picture(folder / "small-40.png");
   ASSERT_EQ(in_window.width, 320);
 
   const std::filesystem::path view = folder / "config" / "erg" / "views" / "view 1.json";
   for (const std::string context : {"osmesa", "egl"}) {
-    if (context == "osmesa" && !has_osmesa()) continue;
+    if (context == "osmesa" && !render::has_osmesa()) continue;
     const std::filesystem::path file = folder / (context + ".png");
     const std::string command = std::string("'") + ERG_PROGRAM + "' render '" + config + "' --steps 40 --camera '" +
                                 view.string() + "' --copies 0 --size 320x200 --quiet --context " + context +
@@ -192,7 +195,7 @@ TEST_F(SmallLand, ShortcutsWorkOnKeyboardsOfOtherCountries) {
   use_keyboard(display, "fr");
   hand.raw("key 10");
   hand.click("LOOK/Keep view");
-  EXPECT_TRUE(read_camera(folder / "config" / "erg" / "views" / "view 1.json").orthographic)
+  EXPECT_TRUE(io::read_camera(folder / "config" / "erg" / "views" / "view 1.json").orthographic)
       << "1 is the view from above";
   hand.raw("keydown 37 key 24 keyup 37");  // A, where Q lies elsewhere: no shortcut
   EXPECT_TRUE(hand.runs());

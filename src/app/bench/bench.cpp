@@ -14,7 +14,10 @@
 #include "process/allowance.h"
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::Config;
+
 namespace {
 
 constexpr int growing_steps = 300;     // enough for dunes to stand
@@ -123,7 +126,7 @@ std::vector<ExecutorOptions> measured_options(const BenchOptions& options, bool 
 Scene grow(const std::string& model, const std::string& kind, const BenchOptions& options) {
   Config config = bench_config(model, options.grid, {"scene.kind=" + kind, "run.executor=cpu"});
   config.wind.seasons.front().bearing = options.bearing;
-  Simulation simulation(config);
+  sim::Simulation simulation(config);
   const auto& slab_model = dynamic_cast<const SlabModel&>(simulation.model());
   std::fprintf(stderr, "bench: growing %s dunes on %s, %d x %d cells\n", model.c_str(), kind.c_str(), options.grid,
                options.grid);
@@ -237,14 +240,16 @@ bool is_law_alone(const ModelType& type) {
 
 }  // namespace
 
-int bench_threads(const BenchOptions& options) { return options.threads > 0 ? options.threads : allowed_threads(); }
+int bench_threads(const BenchOptions& options) {
+  return options.threads > 0 ? options.threads : process::allowed_threads();
+}
 
 Config bench_config(const std::string& model, int side, const std::vector<std::string>& settings) {
   Config config(model);
   config.grid.set("nx", std::int64_t{side});
   config.grid.set("ny", std::int64_t{side});
   config.run.set("seed", static_cast<std::int64_t>(bench_seed));
-  for (const std::string& setting : settings) set_from_text(config, setting);
+  for (const std::string& setting : settings) sim::set_from_text(config, setting);
   return config;
 }
 
@@ -260,4 +265,4 @@ std::vector<BenchRow> run_bench(const BenchOptions& options) {
   return rows;
 }
 
-}  // namespace erg
+}  // namespace erg::app

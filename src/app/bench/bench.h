@@ -7,7 +7,7 @@
 
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::app {
 
 /// What `erg bench` was asked for.
 struct BenchOptions {
@@ -27,7 +27,7 @@ int bench_threads(const BenchOptions& options);
 
 /// What a bench grows: a model as it starts, on `side` x `side` cells, always with the same seed, and what `--set`
 /// would change of it.
-Config bench_config(const std::string& model, int side, const std::vector<std::string>& settings = {});
+sim::Config bench_config(const std::string& model, int side, const std::vector<std::string>& settings = {});
 
 /// Turns that each of those who are measured takes.
 inline constexpr int bench_turns = 20;
@@ -53,4 +53,4 @@ struct BenchRow {
 /// error what it is at. Throws InputError for unknown models.
 std::vector<BenchRow> run_bench(const BenchOptions& options);
 
-}  // namespace erg
+}  // namespace erg::app

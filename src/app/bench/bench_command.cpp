@@ -20,7 +20,7 @@
 #include "models/model.h"
 #include "render/gl_context.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 std::string json_text(const std::vector<BenchRow>& rows, const std::vector<GrainBenchRow>& grain_rows) {
@@ -143,7 +143,7 @@ void add_bench_command(CLI::App& program, Action& action) {
           ->excludes(json);
   command->add_option("--context", options->context, "What draws with --render: auto, egl, osmesa")
       ->capture_default_str()
-      ->check(one_of(offscreen_kinds()))
+      ->check(one_of(render::offscreen_kinds()))
       ->needs(render);
   add_instructions_option(*command);
   command->callback([&action, options, grid] {
@@ -178,4 +178,4 @@ void add_bench_command(CLI::App& program, Action& action) {
   });
 }
 
-}  // namespace erg
+}  // namespace erg::app

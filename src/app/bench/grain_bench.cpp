@@ -11,7 +11,7 @@
 #include "models/grains.h"
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 constexpr int first_steps = 3;  // enough for a rough bed
@@ -52,7 +52,7 @@ class GrainContestant {
   }
 
  private:
-  Simulation simulation_;
+  sim::Simulation simulation_;
   GrainBenchRow row_;
 };
 
@@ -99,4 +99,4 @@ std::string grains_table(const std::vector<GrainBenchRow>& rows) {
          "turns.\n";
 }
 
-}  // namespace erg
+}  // namespace erg::app

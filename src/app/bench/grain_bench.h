@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace erg {
+namespace erg::app {
 
 struct BenchOptions;
 
@@ -28,4 +28,4 @@ std::vector<GrainBenchRow> bench_grains(const std::string& model, const BenchOpt
 /// The rows as a table with its legend.
 std::string grains_table(const std::vector<GrainBenchRow>& rows);
 
-}  // namespace erg
+}  // namespace erg::app

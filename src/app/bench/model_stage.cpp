@@ -5,7 +5,11 @@
 #include "app/bench/bench.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::set_from_text;
+using sim::Simulation;
+
 namespace {
 
 /// How a scene is made.
@@ -39,7 +43,7 @@ std::vector<Recipe> recipes(const std::string& model) {
 std::vector<ModelScene> grow_scenes(const std::string& model, const BenchOptions& options) {
   std::vector<ModelScene> scenes;
   for (const Recipe& recipe : recipes(model)) {
-    Config config = bench_config(model, options.grid, recipe.settings);
+    sim::Config config = bench_config(model, options.grid, recipe.settings);
     set_from_text(config, "run.executor=cpu");
     config.wind.seasons.front().bearing = fold_bearing(options.bearing + recipe.turn);
     std::fprintf(stderr, "bench: growing %s of %s, %d x %d cells\n", recipe.name, model.c_str(), options.grid,
@@ -65,4 +69,4 @@ std::int64_t ModelRun::step() {
   return simulation_->step().polls;
 }
 
-}  // namespace erg
+}  // namespace erg::app

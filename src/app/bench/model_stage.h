@@ -7,15 +7,15 @@
 
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::app {
 
 struct BenchOptions;
 
 /// A scene on which a model's whole steps are measured.
 struct ModelScene {
   std::string name;
-  Config config;
-  RunState grown;
+  sim::Config config;
+  sim::RunState grown;
 };
 
 /// Grows the scenes of a model that does more than to hand over a law of slabs: plants and snow. The first is the plain
@@ -35,8 +35,8 @@ class ModelRun {
   void begin();
 
   const ModelScene& scene_;
-  Config config_;
-  std::unique_ptr<Simulation> simulation_;
+  sim::Config config_;
+  std::unique_ptr<sim::Simulation> simulation_;
 };
 
-}  // namespace erg
+}  // namespace erg::app

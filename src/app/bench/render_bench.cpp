@@ -11,10 +11,14 @@
 #include "render/textures.h"
 #include "sim/scene.h"
 
-namespace erg {
+namespace erg::app {
+
+using render::RenderEffort;
+using render::Renderer;
+
 namespace {
 
-constexpr PictureSize bench_size{.width = 1280, .height = 720, .supersample = 1};
+constexpr render::PictureSize bench_size{.width = 1280, .height = 720, .supersample = 1};
 
 /// The least of several turns.
 template <typename Work>
@@ -32,24 +36,26 @@ PictureTime time_of(int turns, const Work& work) {
 }
 
 /// Transverse dunes, as they stand before the first step.
-Terrain bench_land(int grid) { return build_scene(bench_config("momiji", grid, {"scene.kind=transverse"}), 1.0 / 3); }
+Terrain bench_land(int grid) {
+  return sim::build_scene(bench_config("momiji", grid, {"scene.kind=transverse"}), 1.0 / 3);
+}
 
 RenderBenchRow measure(Terrain& terrain, const RenderEffort& effort, const std::string& quality, int turns) {
   Renderer renderer;
   renderer.set_effort(effort);
-  TerrainView view;
+  render::TerrainView view;
   view.terrain = &terrain;
   view.wind = 270;
   std::uint64_t version = 1;
   view.version = version;
-  Look look;
-  Camera camera = camera_preset("oblique", Renderer::land_of(view, look),
-                                static_cast<double>(bench_size.width) / bench_size.height);
-  PictureTarget target;
+  render::Look look;
+  picture::Camera camera = render::camera_preset("oblique", Renderer::land_of(view, look),
+                                                 static_cast<double>(bench_size.width) / bench_size.height);
+  render::PictureTarget target;
   target.prepare(bench_size.width, bench_size.height);
   const auto draw = [&] {
     renderer.draw_into(target.frame(), view, look, camera, bench_size.width, bench_size.height);
-    gl11().Finish();
+    render::gl11().Finish();
   };
   const auto change = [&](int rows) {
     Grid<std::int32_t>& mobile = terrain.edit_mobile();
@@ -65,7 +71,7 @@ RenderBenchRow measure(Terrain& terrain, const RenderEffort& effort, const std::
   row.quality = quality;
   row.first = time_of(1, draw);
   row.turned = time_of(turns, [&] {
-    orbit(camera, 5, 0);
+    render::orbit(camera, 5, 0);
     draw();
   });
   row.tenth = time_of(turns, [&] { change(terrain.ny() / 10); });
@@ -81,7 +87,7 @@ RenderBenchRow measure(Terrain& terrain, const RenderEffort& effort, const std::
 
 std::vector<RenderBenchRow> run_render_bench(const std::vector<int>& grids, const std::string& context_kind,
                                              std::string& renderer) {
-  const auto context = make_offscreen_context(context_kind);
+  const auto context = render::make_offscreen_context(context_kind);
   renderer = context->renderer();
   std::vector<RenderBenchRow> rows;
   for (const int grid : grids) {
@@ -93,4 +99,4 @@ std::vector<RenderBenchRow> run_render_bench(const std::vector<int>& grids, cons
   return rows;
 }
 
-}  // namespace erg
+}  // namespace erg::app

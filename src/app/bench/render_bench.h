@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace erg {
+namespace erg::app {
 
 /// What a picture takes, s. On the processor it is the second that counts: it does not grow with what else runs.
 struct PictureTime {
@@ -29,4 +29,4 @@ struct RenderBenchRow {
 std::vector<RenderBenchRow> run_render_bench(const std::vector<int>& grids, const std::string& context,
                                              std::string& renderer);
 
-}  // namespace erg
+}  // namespace erg::app

@@ -10,7 +10,7 @@
 #include "models/model.h"
 #include "sim/step_time.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 std::string condition_text(const Parameter& parameter) {
@@ -64,7 +64,7 @@ ExitCode print_models() {
 ExitCode print_model(const std::string& key, bool markdown) {
   const ModelType& type = find_model(key);
   const ModelInfo& info = type.info;
-  const std::vector<std::string> meanings = explain(Config(type));
+  const std::vector<std::string> meanings = sim::explain(sim::Config(type));
   const char* bullet = markdown ? "- " : "  ";
 
   std::cout << (markdown ? "# " : "") << info.title << " (`" << info.key << "`)\n\n";
@@ -111,4 +111,4 @@ void add_model_command(CLI::App& program, Action& action) {
       [&action, options] { action = [options] { return print_model(options->key, options->markdown); }; });
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -8,7 +8,7 @@ namespace CLI {
 class App;
 }
 
-namespace erg {
+namespace erg::app {
 
 /// Exit codes of the program.
 enum ExitCode : int {
@@ -32,4 +32,4 @@ void add_presets_command(CLI::App& program, Action& action);
 void add_gallery_command(CLI::App& program, Action& action);
 void add_schema_command(CLI::App& program, Action& action);
 
-}  // namespace erg
+}  // namespace erg::app

@@ -14,19 +14,23 @@
 #include "models/model.h"
 #include "sim/step_time.h"
 
-namespace erg {
+namespace erg::app {
+
+using io::read_config;
+using sim::Config;
+
 namespace {
 
 ExitCode check_config(const std::string& name) {
   const std::string path = config_path(name);
   std::vector<std::string> notes;
   Config config = read_config(path, &notes);
-  take_grid_from_picture(config);
-  read_pictures(config, &notes);
+  io::take_grid_from_picture(config);
+  io::read_pictures(config, &notes);
   const ModelType& type = find_model(config.model);
   std::cout << path << ": good; " << type.info.title << ", " << config.grid.integer("nx") << " x "
             << config.grid.integer("ny") << " cells, " << config.run.integer("steps") << " steps\n";
-  for (const std::string& meaning : explain(config)) std::cout << "  " << meaning << "\n";
+  for (const std::string& meaning : sim::explain(config)) std::cout << "  " << meaning << "\n";
   for (const std::string& note : notes) std::cout << "  note: " << note << "\n";
   return exit_done;
 }
@@ -34,7 +38,7 @@ ExitCode check_config(const std::string& name) {
 ExitCode print_presets() {
   TextTable table;
   table.heading = {"preset", "title", "what it shows"};
-  for (const Preset& preset : presets()) {
+  for (const io::Preset& preset : presets()) {
     const Config config = read_config(preset.path);
     table.rows.push_back({preset.name, config.title, config.description});
   }
@@ -46,7 +50,7 @@ ExitCode print_presets() {
 }
 
 ExitCode print_schema() {
-  std::cout << config_schema();
+  std::cout << io::config_schema();
   return exit_done;
 }
 
@@ -69,4 +73,4 @@ void add_schema_command(CLI::App& program, Action& action) {
   command->callback([&action] { action = print_schema; });
 }
 
-}  // namespace erg
+}  // namespace erg::app

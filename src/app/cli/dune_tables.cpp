@@ -7,7 +7,18 @@
 #include "io/config/config_file.h"
 #include "io/formats/table.h"
 
-namespace erg {
+namespace erg::app {
+
+using io::dune_numbers;
+using io::dune_row;
+using io::field_numbers;
+using io::field_row;
+using io::MeasuredDune;
+using io::MeasuredDunes;
+using io::Provenance;
+using io::RunNumber;
+using io::table_text;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -48,7 +59,7 @@ std::string aligned(const std::vector<RunNumber>& numbers, const std::vector<std
   return table.aligned();
 }
 
-std::string rule_text(const DuneRule& rule) {
+std::string rule_text(const analysis::DuneRule& rule) {
   return "Dunes: at least " + std::to_string(rule.smallest) + " cells of sand of " + std::to_string(rule.least) +
          " slabs or more; between them lie " + std::to_string(rule.base) + ".";
 }
@@ -110,9 +121,9 @@ std::string fields_csv(const std::vector<MeasuredDunes>& moments, const Provenan
   return table_text(keys_of(field_numbers()), field_rows(moments), source);
 }
 
-std::string dunes_json(const std::vector<MeasuredDunes>& moments, const Config& config) {
+std::string dunes_json(const std::vector<MeasuredDunes>& moments, const sim::Config& config) {
   Json all;
-  all["version"] = program_version();
+  all["version"] = io::program_version();
   all["model"] = config.model;
   Json list = Json::array();
   for (const MeasuredDunes& moment : moments) {
@@ -133,8 +144,8 @@ std::string dunes_json(const std::vector<MeasuredDunes>& moments, const Config& 
   units["bearing"] = "deg";
   all["units"] = std::move(units);
   all["units_of_each"] = units_of(dune_numbers());
-  all["config"] = Json::parse(config_text(config));
+  all["config"] = Json::parse(io::config_text(config));
   return all.dump(2) + "\n";
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -8,19 +8,19 @@
 #include "io/formats/dune_numbers.h"
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::app {
 
 /// A table of one moment's dunes, and what they are together.
-std::string dunes_text(const MeasuredDunes& moment);
+std::string dunes_text(const io::MeasuredDunes& moment);
 /// A table with a row for each moment.
-std::string fields_text(const std::vector<MeasuredDunes>& moments);
+std::string fields_text(const std::vector<io::MeasuredDunes>& moments);
 
 /// CSV with a row for each dune and moment (dune_numbers), or for each moment (field_numbers).
-std::string dunes_csv(const std::vector<MeasuredDunes>& moments, const Provenance& source);
-std::string fields_csv(const std::vector<MeasuredDunes>& moments, const Provenance& source);
+std::string dunes_csv(const std::vector<io::MeasuredDunes>& moments, const io::Provenance& source);
+std::string fields_csv(const std::vector<io::MeasuredDunes>& moments, const io::Provenance& source);
 
 /// One JSON object: "moments", each with the numbers of all its dunes together, the rule by which they were found, and
 /// each of them under "each"; "units" and "units_of_each"; version and config. Unknown numbers are null.
-std::string dunes_json(const std::vector<MeasuredDunes>& moments, const Config& config);
+std::string dunes_json(const std::vector<io::MeasuredDunes>& moments, const sim::Config& config);
 
-}  // namespace erg
+}  // namespace erg::app

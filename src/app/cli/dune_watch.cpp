@@ -9,7 +9,12 @@
 #include "forcing/mean_wind.h"
 #include "sim/step_time.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::DuneRule;
+using io::MeasuredDunes;
+using sim::days_after;
+
 namespace {
 
 constexpr std::int64_t look_every = 5;  // steps: dunes move less than half their length in so many
@@ -21,12 +26,12 @@ double DuneWatch::bearing() const {
   return resultant_bearing(simulation_.config().wind).value_or(simulation_.last_wind().mean_bearing());
 }
 
-DuneOutlines DuneWatch::outlines() {
+analysis::DuneOutlines DuneWatch::outlines() {
   const Terrain& terrain = simulation_.terrain();
   DuneRule rule = DuneRule::usual(terrain);
   rule.least = options_.least.value_or(rule.least);
   rule.smallest = options_.smallest.value_or(rule.smallest);
-  return find_dunes(terrain, bearing(), rule);
+  return analysis::find_dunes(terrain, bearing(), rule);
 }
 
 void DuneWatch::step() {
@@ -45,11 +50,11 @@ MeasuredDunes DuneWatch::as_it_is() {
   moment.cell_size = terrain.cell_size();
   moment.bearing = bearing();
   moment.outlines = outlines();
-  const CoarseSurface surface = coarse_surface(terrain, Layer::surface);
-  moment.crest_spacing = terrain.cell_size() * crest_spacing(surface, moment.bearing);
-  moment.spectrum = measure_spectrum(surface);
+  const analysis::CoarseSurface surface = analysis::coarse_surface(terrain, analysis::Layer::surface);
+  moment.crest_spacing = terrain.cell_size() * analysis::crest_spacing(surface, moment.bearing);
+  moment.spectrum = analysis::measure_spectrum(surface);
   double sand = 0;
-  for (const Dune& dune : moment.outlines.dunes) sand += dune.volume;
+  for (const analysis::Dune& dune : moment.outlines.dunes) sand += dune.volume;
   const double all =
       static_cast<double>(terrain.total_mobile()) * terrain.quantum() * moment.cell_size * moment.cell_size;
   moment.sand_share = all > 0 ? sand / all : 0;
@@ -72,7 +77,7 @@ MeasuredDunes DuneWatch::measure() {
   if (tracker_.step() != simulation_.step_count()) {
     tracker_.observe(simulation_.step_count(), outlines().dunes, simulation_.terrain());
   }
-  for (const DuneTracker::Track& track : tracker_.tracks()) {
+  for (const analysis::DuneTracker::Track& track : tracker_.tracks()) {
     const auto dune = place.find(track.number);
     if (dune == place.end()) continue;
     moment.dunes[dune->second].way = track.way;
@@ -81,4 +86,4 @@ MeasuredDunes DuneWatch::measure() {
   return moment;
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -8,7 +8,7 @@
 #include "io/formats/dune_numbers.h"
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::app {
 
 /// How dunes are found and followed.
 struct DuneWatchOptions {
@@ -21,22 +21,22 @@ struct DuneWatchOptions {
 /// Watches one run, which must outlive it.
 class DuneWatch {
  public:
-  DuneWatch(Simulation& simulation, DuneWatchOptions options) : simulation_(simulation), options_(options) {}
+  DuneWatch(sim::Simulation& simulation, DuneWatchOptions options) : simulation_(simulation), options_(options) {}
 
   /// The dunes as the run stands. Then takes the run `follow` steps on, to see how each of them moves.
-  MeasuredDunes measure();
+  io::MeasuredDunes measure();
   /// One step of the run, with an eye on which dune is which.
   void step();
 
  private:
   double bearing() const;
-  DuneOutlines outlines();
-  MeasuredDunes as_it_is();
+  analysis::DuneOutlines outlines();
+  io::MeasuredDunes as_it_is();
 
-  Simulation& simulation_;
+  sim::Simulation& simulation_;
   DuneWatchOptions options_;
-  DuneTracker tracker_;
+  analysis::DuneTracker tracker_;
   bool looked_ = false;
 };
 
-}  // namespace erg
+}  // namespace erg::app

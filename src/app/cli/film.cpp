@@ -16,7 +16,10 @@
 #include "io/files/atomic_file.h"
 #include "io/formats/png.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::Simulation;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,8 +70,8 @@ std::string numbered_files(const fs::path& folder, const char* pattern) {
 Film::Film(const fs::path& folder, const std::string& name, std::int64_t every, const PictureRequest& request,
            Simulation& simulation)
     : frames_(folder / (name + "-frames")), movie_(folder / (name + ".mp4")), every_(every) {
-  context_ = make_offscreen_context(request.context);
-  renderer_ = std::make_unique<Renderer>();
+  context_ = render::make_offscreen_context(request.context);
+  renderer_ = std::make_unique<render::Renderer>();
   plan_ = plan_picture(request, RunView(simulation).view());
   if (std::min(plan_.size.width, plan_.size.height) < smallest_film) {
     const std::string least = std::to_string(smallest_film);
@@ -90,15 +93,15 @@ void Film::add_frame(Simulation& simulation) {
   if (first_ < 0) first_ = number;
   last_ = number;
   const RunView run(simulation);
-  const Picture picture = renderer_->draw(run.view(), plan_.look, plan_.camera, plan_.size);
-  const MetadataEntries step{{"erg:step", std::to_string(simulation.step_count())}};
-  write_png(frames_ / frame_name(simulation), picture.image, step);
+  const render::Picture picture = renderer_->draw(run.view(), plan_.look, plan_.camera, plan_.size);
+  const io::MetadataEntries step{{"erg:step", std::to_string(simulation.step_count())}};
+  io::write_png(frames_ / frame_name(simulation), picture.image, step);
 }
 
 void Film::finish(bool quiet) const {
   if (!quiet) std::cout << "  wrote frames into " << frames_.string() << "\n";
   // What ffmpeg leaves when it is killed or the disk is full never bears the film's name.
-  const fs::path draft = unfinished_name(movie_);
+  const fs::path draft = io::unfinished_name(movie_);
   const std::string even = "scale=trunc(iw/2)*2:trunc(ih/2)*2";  // the codec wants even sides
   // Only so many: the frames of an earlier, longer run may lie behind them.
   const std::string count = std::to_string(last_ - first_ + 1);
@@ -137,10 +140,10 @@ void Film::finish(bool quiet) const {
   if (*ended != 0 || failed) {
     std::error_code ignored;
     fs::remove(draft, ignored);
-    throw WriteError(movie_.string(), "ffmpeg could not write this film",
-                     "its own words, if any, stand above; the frames are in " + frames_.string());
+    throw io::WriteError(movie_.string(), "ffmpeg could not write this film",
+                         "its own words, if any, stand above; the frames are in " + frames_.string());
   }
   if (!quiet) std::cout << "  wrote " << movie_.string() << "\n";
 }
 
-}  // namespace erg
+}  // namespace erg::app

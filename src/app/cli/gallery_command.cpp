@@ -16,7 +16,12 @@
 #include "io/formats/jpeg.h"
 #include "render/gl_context.h"
 
-namespace erg {
+namespace erg::app {
+
+using io::Preset;
+using io::preset_picture;
+using render::Renderer;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,7 +50,7 @@ PictureRequest gallery_picture() {
 
 /// Grows a preset to its last step and draws it. False when interrupted.
 bool draw_preset(const Preset& preset, const fs::path& file, Renderer& renderer, bool quiet) {
-  Simulation simulation = start_simulation(read_config(preset.path));
+  sim::Simulation simulation = io::start_simulation(io::read_config(preset.path));
   const std::int64_t last = simulation.config().run.integer("steps");
   Progress progress(progress_style(quiet), preset.name, 0, last);
   while (simulation.step_count() < last && !simulation.finished()) {
@@ -55,9 +60,9 @@ bool draw_preset(const Preset& preset, const fs::path& file, Renderer& renderer,
   }
   const RunView run(simulation);
   const PicturePlan plan = plan_picture(gallery_picture(), run.view());
-  const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
+  const render::Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
   make_folder(file.parent_path());
-  write_jpeg(file, picture.opaque());
+  io::write_jpeg(file, picture.opaque());
   return true;
 }
 
@@ -69,7 +74,7 @@ ExitCode make_gallery(const GalleryRequest& request) {
     const fs::path file = preset_picture(folder, preset.name);
     try_output(file.string(), file);
   }
-  const std::unique_ptr<GlContext> context = make_offscreen_context();
+  const std::unique_ptr<render::GlContext> context = render::make_offscreen_context();
   Renderer renderer;
   const InterruptGuard guard;
   for (const Preset& preset : wanted) {
@@ -97,4 +102,4 @@ void add_gallery_command(CLI::App& program, Action& action) {
   command->callback([&action, request] { action = [request] { return make_gallery(*request); }; });
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -1,6 +1,6 @@
 #include "app/cli/interrupt.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 // The only thing that a signal handler may touch.
@@ -41,4 +41,4 @@ InterruptGuard::~InterruptGuard() {
 
 bool InterruptGuard::interrupted() { return signal_came != 0; }
 
-}  // namespace erg
+}  // namespace erg::app

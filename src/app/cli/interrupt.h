@@ -4,7 +4,7 @@
 #include <csignal>
 #include <vector>
 
-namespace erg {
+namespace erg::app {
 
 /// While one of these lives, SIGINT, SIGTERM and SIGHUP set a flag instead of ending the program; a second
 /// SIGINT or SIGTERM ends it at once, as if nobody had listened. What was ignored when it was made (`nohup`) stays
@@ -28,4 +28,4 @@ class InterruptGuard {
   std::vector<Before> before_;
 };
 
-}  // namespace erg
+}  // namespace erg::app

@@ -5,7 +5,7 @@
 #include "core/errors.h"
 #include "core/joined.h"
 
-namespace erg {
+namespace erg::app {
 
 CLI::Validator one_of(const std::vector<std::string>& words) {
   const auto check = [words](std::string& word) -> std::string {
@@ -15,4 +15,4 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return {check, "{" + joined(words, ",") + "}", "one of a few words"};
 }
 
-}  // namespace erg
+}  // namespace erg::app

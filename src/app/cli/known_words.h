@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace erg {
+namespace erg::app {
 
 /// Accepts these words only; another is refused with the nearest of them.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
-}  // namespace erg
+}  // namespace erg::app

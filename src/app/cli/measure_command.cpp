@@ -16,7 +16,11 @@
 #include "forcing/bearing.h"
 #include "io/checkpoint/start_simulation.h"
 
-namespace erg {
+namespace erg::app {
+
+using io::MeasuredDunes;
+using sim::Simulation;
+
 namespace {
 
 struct MeasureRequest {
@@ -74,7 +78,7 @@ bool watch(const MeasureRequest& request, Simulation& simulation, std::vector<Me
 ExitCode measure_source(const MeasureRequest& request) {
   Simulation simulation = start_from(request.source, request.assignments);
   std::vector<MeasuredDunes> moments;
-  const Provenance source = provenance_of(simulation);
+  const io::Provenance source = io::provenance_of(simulation);
   if (!watch(request, simulation, moments)) {
     std::cerr << "Interrupted after step " << simulation.step_count() << "; nothing was measured.\n";
     return exit_failed;
@@ -127,4 +131,4 @@ void add_measure_command(CLI::App& program, Action& action) {
   command->callback([&action, request] { action = [request] { return measure_source(*request); }; });
 }
 
-}  // namespace erg
+}  // namespace erg::app

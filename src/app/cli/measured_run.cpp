@@ -14,7 +14,12 @@
 #include "io/config/provenance.h"
 #include "sim/step_time.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::coarse_surface;
+using analysis::Layer;
+using sim::Simulation;
+
 namespace {
 
 constexpr std::int64_t longest_watch = 500;       // steps
@@ -53,13 +58,13 @@ void MeasuredRun::observe() {
 RunStatistics MeasuredRun::statistics() {
   const Terrain& terrain = simulation_.terrain();
   RunStatistics numbers;
-  numbers.shape = measure(terrain);
+  numbers.shape = analysis::measure(terrain);
   const double fall = simulation_.model().shadow_fall(terrain.cell_size());
-  numbers.shadow_fraction = shadow_fraction(shadow_map(terrain, simulation_.last_wind().bearing, fall));
-  const CoarseSurface surface = coarse_surface(terrain, Layer::surface);
-  numbers.spectrum = measure_spectrum(surface);
-  numbers.crest_spacing = crest_spacing(surface, simulation_.last_wind().mean_bearing());
-  numbers.migration = migration_.velocity().value_or(Shift{});
+  numbers.shadow_fraction = analysis::shadow_fraction(shadow_map(terrain, simulation_.last_wind().bearing, fall));
+  const analysis::CoarseSurface surface = coarse_surface(terrain, Layer::surface);
+  numbers.spectrum = analysis::measure_spectrum(surface);
+  numbers.crest_spacing = analysis::crest_spacing(surface, simulation_.last_wind().mean_bearing());
+  numbers.migration = migration_.velocity().value_or(analysis::Shift{});
   numbers.totals = simulation_.totals();
   numbers.readings = simulation_.model().readings();
   const auto cell_steps = static_cast<double>(terrain.extent().cells()) * static_cast<double>(simulation_.step_count());
@@ -100,8 +105,8 @@ class NumbersWithUnits {
 
 void add_run(NumbersWithUnits& all, Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
-  const Config& config = simulation.config();
-  all.add("version", "", program_version());
+  const sim::Config& config = simulation.config();
+  all.add("version", "", io::program_version());
   all.add("title", "", config.title);
   all.add("model", "", config.model);
   all.add("nx", "cells", terrain.nx());
@@ -109,9 +114,9 @@ void add_run(NumbersWithUnits& all, Simulation& simulation) {
   all.add("cell_size", "m", terrain.cell_size());
   all.add("slab_height", "m", terrain.quantum());
   all.add("steps", "steps", simulation.step_count());
-  const double seconds = step_scale(config).seconds;
+  const double seconds = sim::step_scale(config).seconds;
   all.add("days_a_step", "days", seconds > 0 ? std::optional(seconds / seconds_a_day) : std::nullopt);
-  all.add("days", "days", seconds > 0 ? std::optional(days_after(config, simulation.step_count())) : std::nullopt);
+  all.add("days", "days", seconds > 0 ? std::optional(sim::days_after(config, simulation.step_count())) : std::nullopt);
   all.add("wind_bearing", "deg", simulation.last_wind().bearing);
   all.add("wind_strength", simulation.model_type().info.strength_label.c_str(), simulation.last_wind().strength);
   all.add("seed", "", config.run.integer("seed"));
@@ -156,8 +161,8 @@ std::string statistics_json(Simulation& simulation, const RunStatistics& numbers
   }
   if (simulation.finished()) all.add("why_finished", "", simulation.totals().why_finished);
   nlohmann::ordered_json object = all.finish();
-  object["config"] = nlohmann::ordered_json::parse(config_text(simulation.config()));
+  object["config"] = nlohmann::ordered_json::parse(io::config_text(simulation.config()));
   return object.dump(2) + "\n";
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -10,15 +10,15 @@
 #include "analysis/spectrum.h"
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::app {
 
 /// The numbers of a run, after its last step. Heights in slabs, lengths in cells, bearings in degrees.
 struct RunStatistics {
-  Morphometry shape;
-  double shadow_fraction = 0;     ///< share of cells in the shadow of the last wind
-  SpectrumNumbers spectrum;       ///< of the surface
-  double crest_spacing = 0;       ///< cells, along the last wind; see analysis/crests.h
-  Shift migration;                ///< cells a step over the last part of the run; 0 for a flat surface
+  analysis::Morphometry shape;
+  double shadow_fraction = 0;          ///< share of cells in the shadow of the last wind
+  analysis::SpectrumNumbers spectrum;  ///< of the surface
+  double crest_spacing = 0;            ///< cells, along the last wind; see analysis/crests.h
+  analysis::Shift migration;           ///< cells a step over the last part of the run; 0 for a flat surface
   double flux = 0;                ///< slabs per step that pass one cell of a line across the wind, mean since step 0
   StepReport totals;              ///< since step 0
   std::vector<Reading> readings;  ///< the model's own
@@ -34,7 +34,7 @@ class MeasuredRun {
  public:
   /// `watch_migration`: look at the pattern every few steps over the last quarter of the whole run (at most its last
   /// 500 steps), which costs a Fourier transform each time.
-  MeasuredRun(Simulation& simulation, std::int64_t last_step, bool watch_migration = true);
+  MeasuredRun(sim::Simulation& simulation, std::int64_t last_step, bool watch_migration = true);
 
   /// True when the last step is done or nothing can move any more.
   bool finished() const { return simulation_.step_count() >= last_step_ || simulation_.finished(); }
@@ -51,17 +51,17 @@ class MeasuredRun {
  private:
   void observe();
 
-  Simulation& simulation_;
+  sim::Simulation& simulation_;
   std::int64_t last_step_;
   bool watch_migration_;
   std::int64_t watch_from_ = 0;
   std::int64_t watch_every_ = 1;
-  MigrationTracker migration_;
+  analysis::MigrationTracker migration_;
   std::int64_t polls_ = 0;
   double seconds_ = 0;
 };
 
 /// One JSON object, as `--stats` writes it.
-std::string statistics_json(Simulation& simulation, const RunStatistics& statistics);
+std::string statistics_json(sim::Simulation& simulation, const RunStatistics& statistics);
 
-}  // namespace erg
+}  // namespace erg::app

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-namespace erg {
+namespace erg::app {
 
 void print_notice(Executor& executor) {
   // The line of progress, if there is one, is drawn over.
@@ -13,4 +13,4 @@ void print_notes(const std::vector<std::string>& notes) {
   for (const std::string& note : notes) std::cerr << "note: " << note << "\n";
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -6,7 +6,7 @@
 
 #include "compute/executor.h"
 
-namespace erg {
+namespace erg::app {
 
 /// Prints it on standard error, where there is something.
 void print_notice(Executor& executor);
@@ -14,4 +14,4 @@ void print_notice(Executor& executor);
 /// Prints what is worth telling of what was given, line by line, on standard error.
 void print_notes(const std::vector<std::string>& notes);
 
-}  // namespace erg
+}  // namespace erg::app

@@ -8,7 +8,7 @@
 #include "core/errors.h"
 #include "core/exact_text.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 /// The program and the commands that were named, with the groups of their options.
@@ -90,4 +90,4 @@ std::string remedy_for_unknown(const CLI::App& program) {
   return {};
 }
 
-}  // namespace erg
+}  // namespace erg::app

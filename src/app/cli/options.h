@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace erg {
+namespace erg::app {
 
 /// Accepts whole numbers from `least` to `most`, which the number that it is read into must hold.
 CLI::Validator whole_number(std::int64_t least, std::int64_t most);
@@ -23,4 +23,4 @@ void refuse_empty_values(const CLI::App& program);
 /// The nearest right word for each that the command line does not know; empty where none is near.
 std::string remedy_for_unknown(const CLI::App& program);
 
-}  // namespace erg
+}  // namespace erg::app

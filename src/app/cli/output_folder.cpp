@@ -6,7 +6,7 @@
 #include "core/errors.h"
 #include "io/files/atomic_file.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,8 +34,8 @@ void make_folder(const fs::path& folder) {
 
 void try_output(const std::string& place, const fs::path& file) {
   try {
-    try_to_write(file);
-  } catch (const WriteError& error) {  // nothing has been done yet: what was asked for is wrong
+    io::try_to_write(file);
+  } catch (const io::WriteError& error) {  // nothing has been done yet: what was asked for is wrong
     const Mistake& mistake = error.mistakes().front();
     throw InputError(place, mistake.problem, mistake.remedy);
   }
@@ -50,4 +50,4 @@ void check_output(const std::string& option, const std::string& file, const fs::
   throw InputError(option + " " + file, "there is no folder " + folder.string(), "make it first");
 }
 
-}  // namespace erg
+}  // namespace erg::app

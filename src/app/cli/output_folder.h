@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace erg {
+namespace erg::app {
 
 /// Makes a folder, and those above it, where they are missing. Throws InputError when it cannot.
 void make_folder(const std::filesystem::path& folder);
@@ -16,4 +16,4 @@ void try_output(const std::string& place, const std::filesystem::path& file);
 /// that the command makes before it writes; what will lie in it, or above it, is tried only once it is there.
 void check_output(const std::string& option, const std::string& file, const std::filesystem::path& made = {});
 
-}  // namespace erg
+}  // namespace erg::app

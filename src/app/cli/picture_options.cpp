@@ -13,10 +13,10 @@
 #include "io/formats/camera_file.h"
 #include "render/gl_context.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
-PictureSize parse_size(const std::string& text, int supersample) {
+render::PictureSize parse_size(const std::string& text, int supersample) {
   const std::size_t cross = text.find('x');
   if (cross != std::string::npos) {
     const auto width = number_from<int>(std::string_view(text).substr(0, cross));
@@ -26,7 +26,7 @@ PictureSize parse_size(const std::string& text, int supersample) {
   throw InputError("--size " + text, "is no size", "give width and height in pixels, such as 1920x1080");
 }
 
-void parse_sun(const std::string& text, Look& look) {
+void parse_sun(const std::string& text, render::Look& look) {
   const std::size_t comma = text.find(',');
   const auto altitude =
       comma == std::string::npos ? std::nullopt : number_from<double>(std::string_view(text).substr(comma + 1));
@@ -37,8 +37,8 @@ void parse_sun(const std::string& text, Look& look) {
   look.sun_altitude = *altitude;
 }
 
-Camera find_camera(const std::string& name, const LandBox& land, double aspect) {
-  return file_trouble(name, "camera file") ? camera_preset(name, land, aspect) : read_camera(name);
+picture::Camera find_camera(const std::string& name, const render::LandBox& land, double aspect) {
+  return io::file_trouble(name, "camera file") ? render::camera_preset(name, land, aspect) : io::read_camera(name);
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ CLI::Option_group& add_picture_options(CLI::App& program, PictureRequest& reques
       ->check(whole_number(1, 4));
   command.add_option("--context", request.context, "What draws: auto, egl, osmesa")
       ->capture_default_str()
-      ->check(one_of(offscreen_kinds()));
+      ->check(one_of(render::offscreen_kinds()));
   command.add_flag("--wireframe", request.look.wireframe, "Show the edges of the strips");
   command.add_flag("--raw", request.look.raw_cells, "Straight lines from cell to cell, no smoothing");
   command.add_flag("--transparent", request.look.transparent, "Nothing behind the land, nothing written over it");
@@ -78,15 +78,15 @@ CLI::Option_group& add_picture_options(CLI::App& program, PictureRequest& reques
   return command;
 }
 
-PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view) {
+PicturePlan plan_picture(const PictureRequest& request, const render::TerrainView& view) {
   PicturePlan plan;
   plan.size = parse_size(request.size, request.supersample);
   plan.look = request.look;
   plan.look.legend = !request.no_legend;
   if (!request.sun.empty()) parse_sun(request.sun, plan.look);
-  check_look(plan.look, view);
+  render::check_look(plan.look, view);
   const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-  plan.camera = find_camera(request.camera, Renderer::land_of(view, plan.look), aspect);
+  plan.camera = find_camera(request.camera, render::Renderer::land_of(view, plan.look), aspect);
   constexpr int to_the_horizon = 6;
   const bool horizon =
       plan.look.is_material() && request.camera != "block" && !plan.camera.orthographic && !plan.look.transparent;
@@ -94,7 +94,7 @@ PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view)
   return plan;
 }
 
-RunView::RunView(Simulation& simulation) {
+RunView::RunView(sim::Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
   const WindNow wind = simulation.last_wind();
   shadow_ = shadow_field(terrain, wind.bearing, simulation.model().shadow_fall(terrain.cell_size()));
@@ -109,4 +109,4 @@ RunView::RunView(Simulation& simulation) {
   view_.material = simulation.model_type().info.material;
 }
 
-}  // namespace erg
+}  // namespace erg::app

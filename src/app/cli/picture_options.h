@@ -12,7 +12,7 @@ class App;
 class Option_group;
 }  // namespace CLI
 
-namespace erg {
+namespace erg::app {
 
 /// What the command line asks of a picture, in its words.
 struct PictureRequest {
@@ -23,7 +23,7 @@ struct PictureRequest {
   int supersample = 2;
   int copies = -1;  ///< -1: to the horizon for materials on a torus in perspective, none otherwise
   bool no_legend = false;
-  Look look;
+  render::Look look;
 };
 
 /// Adds the options to a command, as a group of their own.
@@ -34,24 +34,24 @@ inline bool shows_flux(const PictureRequest& request) { return request.look.show
 
 /// What the request means. Throws InputError with all that is wrong with it.
 struct PicturePlan {
-  PictureSize size;
-  Look look;
-  Camera camera;
+  render::PictureSize size;
+  render::Look look;
+  picture::Camera camera;
 };
-PicturePlan plan_picture(const PictureRequest& request, const TerrainView& view);
+PicturePlan plan_picture(const PictureRequest& request, const render::TerrainView& view);
 
 /// What pictures show of a run: its terrain, its fields, its wind shadow, its flux where that is watched, and its last
 /// wind. Holds what it computes; valid until the next step.
 class RunView {
  public:
-  explicit RunView(Simulation& simulation);
+  explicit RunView(sim::Simulation& simulation);
   /// What a Renderer draws.
-  const TerrainView& view() const { return view_; }
+  const render::TerrainView& view() const { return view_; }
 
  private:
   Field shadow_;
   Field flux_;
-  TerrainView view_;
+  render::TerrainView view_;
 };
 
-}  // namespace erg
+}  // namespace erg::app

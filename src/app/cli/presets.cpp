@@ -6,7 +6,10 @@
 #include "io/files/given_file.h"
 #include "process/program_files.h"
 
-namespace erg {
+namespace erg::app {
+
+using io::Preset;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,9 +38,9 @@ std::string nearest_preset(std::string name, const std::vector<Preset>& known) {
 
 }  // namespace
 
-fs::path presets_folder() { return program_folder("cfg"); }
+fs::path presets_folder() { return process::program_folder("cfg"); }
 
-std::vector<Preset> presets() { return list_presets(presets_folder()); }
+std::vector<Preset> presets() { return io::list_presets(presets_folder()); }
 
 Preset find_preset(const std::string& name) {
   const std::vector<Preset> known = presets();
@@ -47,18 +50,18 @@ Preset find_preset(const std::string& name) {
 
 std::string config_path(const std::string& name) {
   if (name == "-") return name;
-  const auto trouble = file_trouble(name, "config file");
+  const auto trouble = io::file_trouble(name, "config file");
   if (!trouble) return name;
   const std::vector<Preset> known = presets();
   if (const Preset* preset = preset_named(known, name)) return preset->path.string();
   std::error_code failed;
   if (fs::symlink_status(name, failed).type() != fs::file_type::not_found) throw InputError({*trouble});
   // A path is most likely one of a file, a bare word one of a preset.
-  const std::string file = nearest_path(name);
+  const std::string file = io::nearest_path(name);
   const std::string preset = nearest_preset(name, known);
   const bool is_path = name.find_first_of("/\\") != std::string::npos || name.ends_with(".json");
   const bool is_file = !file.empty() && fs::is_regular_file(file, failed);
   refuse_name(name, "config file or preset", is_file && (is_path || preset.empty()) ? file : preset);
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -7,19 +7,19 @@
 
 #include "io/config/preset_list.h"
 
-namespace erg {
+namespace erg::app {
 
 /// The program's folder of presets (program_folder); it may be missing, then there are none.
 std::filesystem::path presets_folder();
 
 /// Every preset, by name.
-std::vector<Preset> presets();
+std::vector<io::Preset> presets();
 
 /// The preset of this name. Throws InputError with the nearest.
-Preset find_preset(const std::string& name);
+io::Preset find_preset(const std::string& name);
 
 /// The config file that a person means by `name`: that file when it exists, else the preset of this name. Throws
 /// InputError with the nearest preset.
 std::string config_path(const std::string& name);
 
-}  // namespace erg
+}  // namespace erg::app

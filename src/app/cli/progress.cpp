@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 constexpr int bar_width = 30;
@@ -67,4 +67,4 @@ void Progress::update(std::int64_t step, std::int64_t polls) {
   std::fflush(stderr);
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace erg {
+namespace erg::app {
 
 /// How the progress is shown.
 enum class ProgressStyle { silent, lines, bar };
@@ -40,4 +40,4 @@ class Progress {
   Clock::time_point shown_ = start_;
 };
 
-}  // namespace erg
+}  // namespace erg::app

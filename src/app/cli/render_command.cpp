@@ -21,7 +21,12 @@
 #include "models/grains.h"
 #include "render/gl_context.h"
 
-namespace erg {
+namespace erg::app {
+
+using render::Picture;
+using sim::FluxWatch;
+using sim::Simulation;
+
 namespace {
 
 struct RenderRequest {
@@ -63,11 +68,11 @@ void check_picture_name(const RenderRequest& request) {
                    "did you mean \"" + png.string() + "\"?");
 }
 
-void write_picture(const std::string& path, const Picture& picture, const Provenance& source) {
+void write_picture(const std::string& path, const Picture& picture, const io::Provenance& source) {
   if (is_jpeg(path)) {
-    write_run_jpeg(path, picture.opaque(), source);
+    io::write_run_jpeg(path, picture.opaque(), source);
   } else {
-    write_run_png(path, picture.image, source);
+    io::write_run_png(path, picture.image, source);
   }
 }
 
@@ -114,8 +119,8 @@ ExitCode render(const RenderRequest& request) {
   check_output("--out", request.out);
   Simulation simulation = start(request);
   simulation.keep_paths(request.paths);
-  const std::unique_ptr<GlContext> context = make_offscreen_context(request.picture.context);
-  Renderer renderer;
+  const std::unique_ptr<render::GlContext> context = render::make_offscreen_context(request.picture.context);
+  render::Renderer renderer;
   check_picture(request, simulation);
   if (!grow(request, simulation)) {
     std::cerr << "Interrupted after step " << simulation.step_count() << "; no picture was written.\n";
@@ -125,7 +130,7 @@ ExitCode render(const RenderRequest& request) {
   const PicturePlan plan = plan_picture(request.picture, run.view());
   const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
   print_notes(picture.notes);
-  write_picture(request.out, picture, provenance_of(simulation));
+  write_picture(request.out, picture, io::provenance_of(simulation));
   if (!request.quiet) std::cout << "wrote " << request.out << " (" << context->renderer() << ")\n";
   return exit_done;
 }
@@ -139,7 +144,7 @@ void add_render_command(CLI::App& program, Action& action) {
   command->add_option("--out", request->out, "PNG or JPEG file to write")->required();
   command
       ->add_option("--steps", request->steps, "Step to draw (default: a config's last step; a checkpoint as it stands)")
-      ->check(whole_number(0, most_steps));
+      ->check(whole_number(0, sim::most_steps));
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
@@ -151,4 +156,4 @@ void add_render_command(CLI::App& program, Action& action) {
   command->callback([&action, request] { action = [request] { return render(*request); }; });
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -24,7 +24,12 @@
 #include "io/files/atomic_file.h"
 #include "sim/step_time.h"
 
-namespace erg {
+namespace erg::app {
+
+using io::RunMeter;
+using sim::most_steps;
+using sim::Simulation;
+
 namespace {
 
 // Rows of the CSV, where --every does not say. A row has a spectrum, which costs more than a step.
@@ -69,13 +74,13 @@ void run_steps(const RunRequest& request, Simulation& simulation, MeasuredRun& r
   }
 }
 
-std::string crests_text(const SpectrumNumbers& spectrum) {
+std::string crests_text(const analysis::SpectrumNumbers& spectrum) {
   const std::string alignment = "alignment " + fixed_text(spectrum.alignment, 2);
   if (!spectrum.crest_bearing) return "along no one bearing (" + alignment + ")";
   return "along " + fixed_text(*spectrum.crest_bearing, 0) + "° (" + alignment + ")";
 }
 
-std::string migration_text(const Shift& migration) {
+std::string migration_text(const analysis::Shift& migration) {
   const double speed = std::hypot(migration.x, migration.y);
   const std::string text = fixed_text(speed, 3) + " cells a step";
   if (!(speed > 0)) return text;
@@ -86,7 +91,7 @@ std::string migration_text(const Shift& migration) {
 void print_summary(Simulation& simulation, const RunStatistics& numbers) {
   std::cout << simulation.model_type().info.title << ": " << simulation.step_count() << " steps, "
             << duration_text(numbers.seconds) << " (" << fixed_text(numbers.polls_per_second / 1e6, 1)
-            << " million polls/s, " << executor_text(simulation.executor().name(), simulation.executor().threads())
+            << " million polls/s, " << io::executor_text(simulation.executor().name(), simulation.executor().threads())
             << ")\n";
   if (simulation.finished()) std::cout << "  ended early: " << simulation.totals().why_finished << "\n";
   std::cout << "  thickest column " << numbers.shape.max_slabs << " slabs, standard deviation "
@@ -94,8 +99,8 @@ void print_summary(Simulation& simulation, const RunStatistics& numbers) {
             << "%, in shadow " << fixed_text(numbers.shadow_fraction * 100, 1) << "%\n"
             << "  crests " << fixed_text(numbers.crest_spacing, 1) << " cells apart, " << crests_text(numbers.spectrum)
             << ", migration " << migration_text(numbers.migration) << "\n";
-  const double seconds = step_scale(simulation.config()).seconds * static_cast<double>(simulation.step_count());
-  if (seconds > 0) std::cout << "  in the world " << world_time_text(seconds) << "\n";
+  const double seconds = sim::step_scale(simulation.config()).seconds * static_cast<double>(simulation.step_count());
+  if (seconds > 0) std::cout << "  in the world " << sim::world_time_text(seconds) << "\n";
 }
 
 const std::vector<std::string>& formats(const RunRequest& request) {
@@ -129,7 +134,7 @@ void finish(const RunRequest& request, Simulation& simulation, MeasuredRun& meas
   if (files != nullptr) files->write_state();
   if (needs_numbers(request)) {
     const RunStatistics numbers = measured.statistics();
-    if (!request.stats.empty()) write_file_atomically(request.stats, statistics_json(simulation, numbers));
+    if (!request.stats.empty()) io::write_file_atomically(request.stats, statistics_json(simulation, numbers));
     if (!request.quiet) print_summary(simulation, numbers);
   }
   if (files != nullptr && !request.quiet) {
@@ -183,7 +188,7 @@ void add_run_command(CLI::App& program, Action& action) {
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  const Parameters declared = run_parameters();
+  const Parameters declared = sim::run_parameters();
   for (const Parameter& parameter : declared) {
     command
         ->add_option_function<std::string>(
@@ -225,4 +230,4 @@ void add_run_command(CLI::App& program, Action& action) {
   });
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -13,7 +13,12 @@
 #include "io/formats/picture.h"
 #include "io/formats/vti.h"
 
-namespace erg {
+namespace erg::app {
+
+using io::Provenance;
+using io::provenance_of;
+using io::TableFile;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,7 +27,7 @@ constexpr const char* height_ending = "-height.png";
 
 std::vector<std::string> table_columns() {
   std::vector<std::string> keys;
-  for (const RunNumber& number : run_numbers()) keys.push_back(number.key);
+  for (const io::RunNumber& number : io::run_numbers()) keys.push_back(number.key);
   return keys;
 }
 
@@ -42,7 +47,7 @@ const std::vector<std::string>& output_formats() {
   return formats;
 }
 
-RunOutput::RunOutput(fs::path folder, std::string name, std::vector<std::string> formats, Simulation& simulation)
+RunOutput::RunOutput(fs::path folder, std::string name, std::vector<std::string> formats, sim::Simulation& simulation)
     : folder_(std::move(folder)),
       name_(std::move(name)),
       formats_(std::move(formats)),
@@ -100,16 +105,16 @@ void RunOutput::write_state() {
   const Terrain& terrain = simulation_.terrain();
   const Provenance source = provenance_of(simulation_);
   if (wants("png")) {
-    PictureOptions options;
+    io::PictureOptions options;
     options.wind = simulation_.last_wind();
     options.caption = simulation_.model_type().info.title + ", step " + std::to_string(source.step);
     const fs::path path = numbered(".png");
-    write_run_png(path, draw_picture(terrain, options), source);
+    io::write_run_png(path, io::draw_picture(terrain, options), source);
     files_.push_back(path);
   }
   if (wants("png16")) {
     const fs::path path = numbered(height_ending);
-    write_heightmap(path, terrain, source);
+    io::write_heightmap(path, terrain, source);
     files_.push_back(path);
   }
   if (wants("vti")) {
@@ -118,7 +123,7 @@ void RunOutput::write_state() {
     const fs::path path = numbered(".vti");
     std::vector<Field> more;
     if (simulation_.flux() != nullptr) more.push_back(simulation_.flux()->mean());
-    write_vti(path, terrain, &shadow, source, more);
+    io::write_vti(path, terrain, &shadow, source, more);
     files_.push_back(path);
   }
   write_meshes(source);
@@ -128,21 +133,21 @@ void RunOutput::write_meshes(const Provenance& source) {
   const auto write = [&](const std::string& format, const auto& writer) {
     if (!wants(format)) return;
     const fs::path path = numbered("." + format);
-    writer(path, simulation_.terrain(), source, WriteProgress{});
+    writer(path, simulation_.terrain(), source, io::WriteProgress{});
     files_.push_back(path);
   };
-  write("obj", write_obj);
-  write("ply", write_ply);
-  write("stl", write_stl);
+  write("obj", io::write_obj);
+  write("ply", io::write_ply);
+  write("stl", io::write_stl);
 }
 
 fs::path RunOutput::write_state_checkpoint() {
   fs::path path = numbered(".checkpoint");
   if (path == last_checkpoint_) return path;
-  write_checkpoint(path, simulation_.config(), simulation_.state());
+  io::write_checkpoint(path, simulation_.config(), simulation_.state());
   files_.push_back(path);
   last_checkpoint_ = path;
   return path;
 }
 
-}  // namespace erg
+}  // namespace erg::app

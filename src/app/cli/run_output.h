@@ -10,7 +10,7 @@
 #include "io/formats/table.h"
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::app {
 
 /// What `--format` accepts.
 const std::vector<std::string>& output_formats();
@@ -22,7 +22,8 @@ class RunOutput {
  public:
   /// Writes into `folder` (made when missing) files whose names begin with `name`, in those `formats`. Tries all names
   /// before it writes anything; throws InputError where one of them cannot be written, or another run writes the table.
-  RunOutput(std::filesystem::path folder, std::string name, std::vector<std::string> formats, Simulation& simulation);
+  RunOutput(std::filesystem::path folder, std::string name, std::vector<std::string> formats,
+            sim::Simulation& simulation);
 
   /// Adds the present numbers to the CSV, if there is one. Lifts, polls and flux are those since the last row. Throws
   /// WriteError, as do the others.
@@ -42,7 +43,7 @@ class RunOutput {
  private:
   bool wants(const std::string& format) const;
   void try_files() const;
-  void write_meshes(const Provenance& source);
+  void write_meshes(const io::Provenance& source);
   /// The file of a step, and of the present one.
   std::filesystem::path numbered(std::int64_t step, const std::string& ending) const;
   std::filesystem::path numbered(const std::string& ending) const { return numbered(simulation_.step_count(), ending); }
@@ -50,11 +51,11 @@ class RunOutput {
   std::filesystem::path folder_;
   std::string name_;
   std::vector<std::string> formats_;
-  Simulation& simulation_;
-  std::unique_ptr<TableFile> table_;
-  RunMeter meter_;
+  sim::Simulation& simulation_;
+  std::unique_ptr<io::TableFile> table_;
+  io::RunMeter meter_;
   std::vector<std::filesystem::path> files_;
   std::filesystem::path last_checkpoint_;
 };
 
-}  // namespace erg
+}  // namespace erg::app

@@ -11,7 +11,14 @@
 #include "io/files/given_file.h"
 #include "sim/memory.h"
 
-namespace erg {
+namespace erg::app {
+
+using io::read_config;
+using io::Saved;
+using io::take_grid_from_picture;
+using sim::Config;
+using sim::Simulation;
+
 namespace {
 
 /// Applies --set and the options to a config; throws one InputError with all that is wrong with them.
@@ -19,7 +26,7 @@ void apply_options(Config& config, const RunRequest& request) {
   std::vector<Mistake> mistakes;
   const auto apply = [&](const std::string& place, const std::string& assignment) {
     try {
-      set_from_text(config, assignment);
+      sim::set_from_text(config, assignment);
     } catch (const InputError& error) {
       for (Mistake mistake : error.mistakes()) {
         mistake.place = place;
@@ -98,12 +105,12 @@ Simulation start_simulation(const RunRequest& request) {
     Config config = read_config(config_path(request.config), &notes);
     apply_options(config, request);
     take_grid_from_picture(config);
-    check_memory({&config, 1}, 0, free_memory());
-    Simulation simulation = start_simulation(config, &notes);
+    sim::check_memory({&config, 1}, 0, sim::free_memory());
+    Simulation simulation = io::start_simulation(config, &notes);
     if (!request.quiet) print_notes(notes);
     return simulation;
   }
-  Saved saved = read_checkpoint(request.resume);
+  Saved saved = io::read_checkpoint(request.resume);
   Config config = request.config.empty() ? saved.config : read_config(config_path(request.config));
   apply_options(config, request);
   if (!request.config.empty()) take_grid_from_picture(config);
@@ -129,7 +136,7 @@ std::string output_folder(const RunRequest& request) { return request.out.empty(
 
 std::string run_name(const RunRequest& request) {
   const std::filesystem::path path = request.config.empty() ? request.resume : request.config;
-  if (is_stream(path)) return "config";
+  if (io::is_stream(path)) return "config";
   std::string name = path.stem().string();
   // A checkpoint's name ends with its step.
   const std::size_t last_letter = name.find_last_not_of("0123456789");
@@ -138,4 +145,4 @@ std::string run_name(const RunRequest& request) {
   return name;
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -8,7 +8,7 @@
 
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::app {
 
 /// What `erg run` was asked for.
 struct RunRequest {
@@ -28,13 +28,13 @@ struct RunRequest {
 
 /// The simulation that the request describes, at its first step or where its checkpoint stands. Throws InputError with
 /// all mistakes of config and options.
-Simulation start_simulation(const RunRequest& request);
+sim::Simulation start_simulation(const RunRequest& request);
 
 /// Whether what a command was given is a checkpoint, by its name's ending; else it is a config or a preset.
 bool is_checkpoint(const std::string& source);
 
 /// The same for commands that take a config, a preset or a checkpoint, with the assignments of --set.
-Simulation start_from(const std::string& source, const std::vector<std::string>& assignments);
+sim::Simulation start_from(const std::string& source, const std::vector<std::string>& assignments);
 
 /// Whether files are written while it runs.
 bool writes_files(const RunRequest& request);
@@ -43,4 +43,4 @@ std::string output_folder(const RunRequest& request);
 /// A name for the run's files: that of its config or checkpoint.
 std::string run_name(const RunRequest& request);
 
-}  // namespace erg
+}  // namespace erg::app

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <iostream>
 
-namespace erg {
+namespace erg::app {
 
 void guard_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -29,4 +29,4 @@ std::string output_problem() {
   return errno != 0 ? std::strerror(errno) : "not all of it was written";
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace erg {
+namespace erg::app {
 
 /// To be called before anything is opened. A stream that is closed is opened on nothing, or else the next file would
 /// take its place and be written into; writing to it fails. A pipe that nobody reads and a file that may not grow
@@ -13,4 +13,4 @@ void guard_standard_streams();
 /// Why not all that was printed arrived; empty when it did. To be called at the end.
 std::string output_problem();
 
-}  // namespace erg
+}  // namespace erg::app

@@ -3,9 +3,9 @@
 
 #include <exception>
 
-namespace erg {
+namespace erg::app {
 
 /// Prints an error on standard error: each mistake of an InputError on a line of its own.
 void tell(const std::exception& error);
 
-}  // namespace erg
+}  // namespace erg::app

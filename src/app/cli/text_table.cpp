@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 std::string aligned_row(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) {
@@ -65,4 +65,4 @@ std::string count_text(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-}  // namespace erg
+}  // namespace erg::app

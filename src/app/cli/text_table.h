@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace erg {
+namespace erg::app {
 
 /// Rows of cells under a heading. Every row has as many cells as the heading.
 struct TextTable {
@@ -23,4 +23,4 @@ std::string fixed_text(double value, int digits);
 /// "1 seed", "3 seeds".
 std::string count_text(int count, const std::string& noun);
 
-}  // namespace erg
+}  // namespace erg::app

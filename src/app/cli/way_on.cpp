@@ -7,7 +7,10 @@
 #include "core/errors.h"
 #include "core/joined.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::Simulation;
+
 namespace {
 
 /// A step that failed half way may have taken sand from one place and not yet set it down at another.
@@ -60,4 +63,4 @@ void save_and_tell(const RunRequest& request, Simulation& simulation, RunOutput*
   }
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -11,16 +11,20 @@
 #include "session/settings.h"
 #include "ui/window/desktop.h"
 
-namespace erg {
+namespace erg::app {
+
+using session::Settings;
+using ui::DesktopRequest;
+
 namespace {
 
 ExitCode open_window(DesktopRequest request, const std::string& config) {
   if (!config.empty()) request.open = config_path(config);
-  request.folders = {settings_folder(), state_folder(), presets_folder()};
+  request.folders = {session::settings_folder(), session::state_folder(), presets_folder()};
   request.asked_to_end = InterruptGuard::interrupted;
   try {
     const InterruptGuard guard;
-    run_desktop(request);
+    ui::run_desktop(request);
   } catch (const InputError& error) {
     // No display, or no OpenGL on it: nothing that was given is wrong.
     for (const Mistake& mistake : error.mistakes()) std::fprintf(stderr, "erg: %s\n", mistake.text().c_str());
@@ -48,4 +52,4 @@ void add_gui_command(CLI::App& program, Action& action) {
 
 ExitCode open_gallery_window() { return open_window({}, {}); }
 
-}  // namespace erg
+}  // namespace erg::app

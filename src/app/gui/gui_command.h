@@ -3,7 +3,7 @@
 
 #include "app/cli/command.h"
 
-namespace erg {
+namespace erg::app {
 
 /// Adds the command to `program`; when it is named, `action` is set.
 void add_gui_command(CLI::App& program, Action& action);
@@ -11,4 +11,4 @@ void add_gui_command(CLI::App& program, Action& action);
 /// What `erg` does when no command is named.
 ExitCode open_gallery_window();
 
-}  // namespace erg
+}  // namespace erg::app

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 /// Where the first line from `from` on starts that is a heading of at most `level` #; the page's end without one.
@@ -29,4 +29,4 @@ std::string with_part(const std::string& page, const std::string& part) {
   return page.substr(0, start) + part + (end < page.size() ? "\n" : "") + page.substr(end);
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -15,18 +15,22 @@
 #include "io/config/config_file.h"
 #include "process/allowance.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::Config;
+using sim::set_from_text;
+
 namespace {
 
 SeedRun run_once(Config config, int seed, const std::vector<std::int64_t>& watch) {
   set_from_text(config, "run.seed=" + std::to_string(seed));
-  Simulation simulation(config);
+  sim::Simulation simulation(config);
   MeasuredRun run(simulation, config.run.integer("steps"));
   SeedRun result;
   while (!run.finished()) {
     run.step();
     if (std::find(watch.begin(), watch.end(), simulation.step_count()) != watch.end()) {
-      result.sd_at.emplace_back(simulation.step_count(), measure(simulation.terrain()).sd_slabs);
+      result.sd_at.emplace_back(simulation.step_count(), analysis::measure(simulation.terrain()).sd_slabs);
     }
   }
   result.end = run.statistics();
@@ -36,7 +40,7 @@ SeedRun run_once(Config config, int seed, const std::vector<std::int64_t>& watch
 }  // namespace
 
 void share_jobs(int jobs, const std::function<void(int)>& job) {
-  const int workers = std::min(jobs, allowed_threads());
+  const int workers = std::min(jobs, process::allowed_threads());
   std::atomic<int> next{0};
   std::exception_ptr failure;
   std::mutex failing;
@@ -76,7 +80,7 @@ std::string Sample::text(int digits) const {
   return fixed_text(mean(), digits) + " (" + fixed_text(spread(), digits) + ")";
 }
 
-Config thesis_config(const std::string& name) { return read_config(config_path("thesis/" + name)); }
+Config thesis_config(const std::string& name) { return io::read_config(config_path("thesis/" + name)); }
 
 std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor, int seeds,
                                const std::vector<std::int64_t>& watch) {
@@ -92,4 +96,4 @@ std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor
   return runs;
 }
 
-}  // namespace erg
+}  // namespace erg::app

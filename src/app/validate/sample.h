@@ -10,7 +10,7 @@
 #include "app/cli/measured_run.h"
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::app {
 
 /// Calls `job` with 0 to `jobs` - 1, as many at a time as there are processors. A job should run on one thread: then
 /// none waits for another. Rethrows what a job throws.
@@ -47,11 +47,11 @@ struct SeedRun {
 };
 
 /// The config of the preset cfg/thesis/NAME.json. Throws InputError when it is not there.
-Config thesis_config(const std::string& name);
+sim::Config thesis_config(const std::string& name);
 
 /// Runs `config` on `executor` with seeds 1 to `seeds`, each to the config's last step; the runs share the
 /// processors. `watch`: steps at which to measure the standard deviation of height.
-std::vector<SeedRun> run_seeds(const Config& config, const std::string& executor, int seeds,
+std::vector<SeedRun> run_seeds(const sim::Config& config, const std::string& executor, int seeds,
                                const std::vector<std::int64_t>& watch = {});
 
 /// Collects one number of every run.
@@ -62,4 +62,4 @@ Sample sample_of(const std::vector<SeedRun>& runs, Number number) {
   return sample;
 }
 
-}  // namespace erg
+}  // namespace erg::app

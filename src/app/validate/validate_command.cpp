@@ -17,7 +17,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/given_file.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 struct Section {
@@ -48,7 +48,7 @@ void check_choice(const std::string& option, const std::string& value, const std
 std::string validation_document(const ValidationOptions& options) {
   const std::string command = options.quick ? "erg validate --quick" : "erg validate";
   std::string document =
-      "# Validation\n\nMade by `" + command + " --out docs/validation.md` with erg " + program_version() + ".\n";
+      "# Validation\n\nMade by `" + command + " --out docs/validation.md` with erg " + io::program_version() + ".\n";
   for (const Section& section : sections) document += "\n" + section.measure(options);
   return document;
 }
@@ -86,16 +86,16 @@ void add_validate_command(CLI::App& program, Action& action) {
       if (document.empty()) {
         document = validation_document(options->validation);
       } else if (!options->out.empty() && std::filesystem::is_regular_file(options->out)) {
-        document = with_part(read_text_file(options->out, "page"), document);
+        document = with_part(io::read_text_file(options->out, "page"), document);
       }
       if (options->out.empty()) {
         std::cout << document;
       } else {
-        write_file_atomically(options->out, document);
+        io::write_file_atomically(options->out, document);
       }
       return exit_done;
     };
   });
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -3,9 +3,9 @@
 
 #include "app/cli/command.h"
 
-namespace erg {
+namespace erg::app {
 
 /// Adds the command to `program`; when it is named, `action` is set.
 void add_validate_command(CLI::App& program, Action& action);
 
-}  // namespace erg
+}  // namespace erg::app

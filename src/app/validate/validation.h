@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace erg {
+namespace erg::app {
 
 /// What `erg validate` was asked for.
 struct ValidationOptions {
@@ -36,4 +36,4 @@ std::vector<std::string> nature_law_names();
 /// What follows from the rules by algebra.
 std::string identities_section();
 
-}  // namespace erg
+}  // namespace erg::app

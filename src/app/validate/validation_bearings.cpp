@@ -13,7 +13,16 @@
 #include "core/units.h"
 #include "forcing/bearing.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::DuneMap;
+using analysis::GridPoint;
+using analysis::mean_map;
+using analysis::SpectrumNumbers;
+using sim::Config;
+using sim::set_from_text;
+using sim::Simulation;
+
 namespace {
 
 constexpr int reach = 90;           // cells around a dune's middle
@@ -49,13 +58,13 @@ BarchanRun grow_barchan(const BarchanLook& scene, int steps, int seed) {
   Simulation simulation(config);
   const auto step_to = [&](int step) {
     while (simulation.step_count() < step) simulation.step();
-    return dune_centre(simulation.terrain()).value();
+    return analysis::dune_centre(simulation.terrain()).value();
   };
   const GridPoint before = step_to(steps / 2);
   const GridPoint after = step_to(steps);
   const int watched = steps - steps / 2;
   const Extent extent = simulation.terrain().extent();
-  return {dune_map(simulation.terrain(), scene.bearing, reach),
+  return {analysis::dune_map(simulation.terrain(), scene.bearing, reach),
           {std::remainder(after.x - before.x, extent.nx) / watched,
            std::remainder(after.y - before.y, extent.ny) / watched}};
 }
@@ -75,7 +84,7 @@ BarchanAt barchan_at(double bearing, const std::vector<BarchanRun>& runs) {
   GridPoint velocity;
   for (const BarchanRun& run : runs) {
     maps.push_back(run.map);
-    const HornVolumes horns = find_horns(run.map, least_sand);
+    const analysis::HornVolumes horns = analysis::find_horns(run.map, least_sand);
     logs += std::log((horns.left + 1) / (horns.right + 1));  // a hornless dune has a ratio too
     velocity.x += run.velocity.x / static_cast<double>(runs.size());
     velocity.y += run.velocity.y / static_cast<double>(runs.size());
@@ -108,8 +117,8 @@ void add_barchan_rows(TextTable& table, const BarchanLook& scene, const std::vec
   const DuneMap all = mean_map(maps);
   for (const BarchanAt& dune : dunes) {
     table.rows.push_back({scene.model, scene.executor, fixed_text(scene.spread, 0), fixed_text(dune.bearing, 0),
-                          fixed_text(asymmetry(dune.map), 3), fixed_text(dune.horns, 2),
-                          fixed_text(mismatch(dune.map, all), 3), fixed_text(height_of(dune.map), 1),
+                          fixed_text(analysis::asymmetry(dune.map), 3), fixed_text(dune.horns, 2),
+                          fixed_text(analysis::mismatch(dune.map, all), 3), fixed_text(height_of(dune.map), 1),
                           fixed_text(dune.speed, 3), fixed_text((dune.speed / mean_speed - 1) * 100, 1) + "%",
                           fixed_text(dune.off, 1)});
   }
@@ -164,7 +173,7 @@ SpectrumNumbers crests_of(const std::string& model, double spread, double middle
   config.wind.seasons[1].bearing = fold_bearing(middle - 30);
   Simulation simulation(config);
   while (simulation.step_count() < steps) simulation.step();
-  return measure_spectrum(coarse_surface(simulation.terrain(), Layer::surface));
+  return analysis::measure_spectrum(analysis::coarse_surface(simulation.terrain(), analysis::Layer::surface));
 }
 
 std::string two_winds(const ValidationOptions& options) {
@@ -262,4 +271,4 @@ std::string bearings_section(const ValidationOptions& options) {
          one_barchan(options) + "\n" + two_winds(options) + "\n" + barchan_fields(options);
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -7,7 +7,12 @@
 
 #include "core/joined.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::Config;
+using sim::set_from_text;
+using sim::Simulation;
+
 namespace {
 
 struct NatureLaw {
@@ -98,4 +103,4 @@ void say_measuring(const std::string& law, int runs) {
   std::fprintf(stderr, "validate: nature, %s, %s\n", law.c_str(), count_text(runs, "run").c_str());
 }
 
-}  // namespace erg
+}  // namespace erg::app

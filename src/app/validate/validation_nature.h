@@ -10,7 +10,7 @@
 #include "app/validate/sample.h"
 #include "app/validate/validation.h"
 
-namespace erg {
+namespace erg::app {
 
 /// Crests under two winds: Rubin & Hunter 1987; Courrech du Pont et al. 2014 and Gao et al. 2015.
 std::string crests_under_two_winds(const ValidationOptions& options);
@@ -38,7 +38,7 @@ std::string verdict(double error, double bound);
 double power_law(const std::vector<double>& x, const std::vector<double>& y);
 
 /// A config of `model` with these settings, for `cpu` on one thread.
-Config nature_config(const std::string& model, const std::vector<std::string>& settings);
+sim::Config nature_config(const std::string& model, const std::vector<std::string>& settings);
 
 /// A heap of sand on bare ground: its middle (cells) and height (slabs of a third of a cell).
 struct Cone {
@@ -50,9 +50,9 @@ struct Cone {
 inline constexpr double cells_wide_a_slab = 1;
 
 /// A run of `config`, whose scene has no sand, that begins with these heaps as cones.
-Simulation lone_cones(const Config& config, const std::vector<Cone>& cones);
+sim::Simulation lone_cones(const sim::Config& config, const std::vector<Cone>& cones);
 
 /// Says on standard error what is measured now.
 void say_measuring(const std::string& law, int runs);
 
-}  // namespace erg
+}  // namespace erg::app

@@ -2,7 +2,11 @@
 #include "analysis/dune_outlines.h"
 #include "app/validate/validation_nature.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::Dune;
+using sim::Simulation;
+
 namespace {
 
 constexpr double natural_width = 10;  // in heights
@@ -66,7 +70,7 @@ BarchanMeans barchan_run(const BarchanScene& scene, int seed) {
                                   {{80, 80, scene.cone}})
                      : Simulation(nature_config(scene.model, {"grid.nx=256", "grid.ny=256", "scene.sand=3", seeded}));
   while (simulation.step_count() < scene.steps) simulation.step();
-  return means_of(find_dunes(simulation.terrain(), 270).dunes);
+  return means_of(analysis::find_dunes(simulation.terrain(), 270).dunes);
 }
 
 }  // namespace
@@ -120,4 +124,4 @@ std::string barchan_shape(const ValidationOptions& options) {
          fixed_text(slip_face_bound, 0) + ".\n\n" + table.markdown();
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -5,7 +5,11 @@
 #include "analysis/dune_outlines.h"
 #include "app/validate/validation_nature.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::Dune;
+using analysis::find_dunes;
+
 namespace {
 
 constexpr double least_share = 0.02;  // of all sand: a smaller patch counts for no dune
@@ -49,8 +53,9 @@ Collision collide(const CollisionScene& scene, int steps, int seed) {
                                     "scene.sand=0", "run.seed=" + std::to_string(seed)};
   settings.insert(settings.end(), scene.settings.begin(), scene.settings.end());
   const int gap = scene.large / 2 + scene.small / 2 + 40;
-  Simulation simulation = lone_cones(nature_config(scene.model, settings),
-                                     {{80, rows / 2 + scene.aside, scene.small}, {80 + gap, rows / 2, scene.large}});
+  sim::Simulation simulation =
+      lone_cones(nature_config(scene.model, settings),
+                 {{80, rows / 2 + scene.aside, scene.small}, {80 + gap, rows / 2, scene.large}});
   Collision collision;
   constexpr int every = 25;
   constexpr int become_dunes = 100;
@@ -122,4 +127,4 @@ std::string barchan_collision(const ValidationOptions& options) {
          table.markdown();
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -7,7 +7,7 @@
 #include "app/validate/validation_nature.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 constexpr double orientation_bound = 10;      // degrees
@@ -72,7 +72,7 @@ struct CrestScene {
 
 CrestRun crest_run(const CrestScene& scene, TwoWinds winds, int season, double middle, int seed) {
   const std::string side = std::to_string(scene.side);
-  Config config = nature_config(
+  sim::Config config = nature_config(
       scene.model, {"grid.nx=" + side, "grid.ny=" + side, "scene.sand=10", "run.seed=" + std::to_string(seed)});
   Season first = config.wind.seasons.at(0);
   Season second = first;
@@ -81,10 +81,11 @@ CrestRun crest_run(const CrestScene& scene, TwoWinds winds, int season, double m
   second.bearing = fold_bearing(middle - winds.divergence / 2);
   second.steps = season;
   config.wind.seasons = {first, second};
-  Simulation simulation(config);
+  sim::Simulation simulation(config);
   const std::int64_t cycle = first.steps + second.steps;
   while (simulation.step_count() < scene.steps || simulation.step_count() % cycle != 0) simulation.step();
-  const SpectrumNumbers crests = measure_spectrum(coarse_surface(simulation.terrain(), Layer::surface));
+  const analysis::SpectrumNumbers crests =
+      analysis::measure_spectrum(analysis::coarse_surface(simulation.terrain(), analysis::Layer::surface));
   return {std::remainder(crests.axis - middle, 180.0), crests.alignment};
 }
 
@@ -200,4 +201,4 @@ std::string crests_under_two_winds(const ValidationOptions& options) {
   return text;
 }
 
-}  // namespace erg
+}  // namespace erg::app

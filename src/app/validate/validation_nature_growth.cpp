@@ -7,7 +7,13 @@
 #include "analysis/morphometry.h"
 #include "app/validate/validation_nature.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::coarse_surface;
+using analysis::crest_spacing;
+using analysis::Layer;
+using sim::Simulation;
+
 namespace {
 
 struct GrowthRun {
@@ -22,10 +28,10 @@ GrowthRun growth_run(const std::string& model, const std::vector<int>& watch, in
   GrowthRun run;
   for (const int last : watch) {
     while (simulation.step_count() < last) simulation.step();
-    const CoarseSurface surface = coarse_surface(simulation.terrain(), Layer::surface);
+    const analysis::CoarseSurface surface = coarse_surface(simulation.terrain(), Layer::surface);
     run.spacing.push_back(crest_spacing(surface, 270));
-    run.height.push_back(2 * std::numbers::sqrt2 * measure(simulation.terrain()).sd_slabs);
-    run.defects.push_back(count_crest_defects(surface, 270, run.spacing.back()));
+    run.height.push_back(2 * std::numbers::sqrt2 * analysis::measure(simulation.terrain()).sd_slabs);
+    run.defects.push_back(analysis::count_crest_defects(surface, 270, run.spacing.back()));
   }
   return run;
 }
@@ -121,4 +127,4 @@ std::string growth_of_crests(const ValidationOptions& options) {
          filled.substr(1) + ".\n";
 }
 
-}  // namespace erg
+}  // namespace erg::app

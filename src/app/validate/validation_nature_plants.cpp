@@ -4,7 +4,10 @@
 #include "app/validate/validation_nature.h"
 #include "app/validate/validation_plants.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::DuneMeans;
+
 namespace {
 
 constexpr double least_sigmas = 3;
@@ -66,4 +69,4 @@ std::string plants_make_shapes(const ValidationOptions& options) {
          fixed_text(least_sigmas, 0) + " on.\n\n" + table.markdown();
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -2,7 +2,7 @@
 #include "analysis/crests.h"
 #include "app/validate/validation_nature.h"
 
-namespace erg {
+namespace erg::app {
 namespace {
 
 constexpr double length_exponent_bound = 0.3;
@@ -13,13 +13,14 @@ struct RippleRun {
 };
 
 RippleRun ripple_run(double friction, const std::vector<int>& watch, int seed) {
-  Simulation simulation(
+  sim::Simulation simulation(
       nature_config("grains", {"grid.nx=256", "grid.ny=32", "strength_is=friction_velocity",
                                "wind.strength=" + fixed_text(friction, 2), "run.seed=" + std::to_string(seed)}));
   RippleRun run;
   for (const int last : watch) {
     while (simulation.step_count() < last) simulation.step();
-    run.lengths.push_back(crest_spacing(coarse_surface(simulation.terrain(), Layer::surface), 270));
+    run.lengths.push_back(
+        analysis::crest_spacing(analysis::coarse_surface(simulation.terrain(), analysis::Layer::surface), 270));
     if (run.leap > 0) continue;
     for (const Reading& one : simulation.model().readings()) {
       if (one.key == "hop") run.leap = 100 * one.value;
@@ -76,4 +77,4 @@ std::string ripples_against_wind(const ValidationOptions& options) {
          ".\n\n" + table.markdown();
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -4,7 +4,10 @@
 #include "analysis/heap_middle.h"
 #include "app/validate/validation_nature.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::heap_middle;
+
 namespace {
 
 constexpr double slow_down_bound = 0.1;  // beyond which a ratio of speeds differs from its control
@@ -22,7 +25,7 @@ struct MoundSpeeds {
 };
 
 MoundSpeeds mound_run(const Mound& mound, bool bonds, int hours, int seed) {
-  Simulation simulation(nature_config(
+  sim::Simulation simulation(nature_config(
       "snow_sintering",
       {"grid.nx=160", "grid.ny=96", "grid.cell_size=0.1", "scene.kind=cone", "scene.sand=0",
        std::string("scene.height=") + mound.height, "scene.radius=" + std::to_string(mound.radius), "wind.strength=9",
@@ -88,4 +91,4 @@ std::string sintering_slows_mounds(const ValidationOptions& options) {
          table.markdown();
 }
 
-}  // namespace erg
+}  // namespace erg::app

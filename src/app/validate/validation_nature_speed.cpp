@@ -7,7 +7,12 @@
 #include "analysis/morphometry.h"
 #include "app/validate/validation_nature.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::DuneTracker;
+using analysis::Shift;
+using sim::Simulation;
+
 namespace {
 
 constexpr double speed_exponent_bound = 0.2;
@@ -40,13 +45,13 @@ Mover cone_run(const SpeedScene& scene, int height, int seed) {
   constexpr int settle = 200;
   constexpr int watch = 200;
   constexpr int every = 10;
-  MigrationTracker tracker;
+  analysis::MigrationTracker tracker;
   Sample heights;
   for (int step = 1; step <= settle + watch; ++step) {
     simulation.step();
     if (step < settle || step % every != 0) continue;
-    tracker.observe(step, coarse_surface(simulation.terrain(), Layer::mobile));
-    heights.add(measure(simulation.terrain()).max_slabs);
+    tracker.observe(step, analysis::coarse_surface(simulation.terrain(), analysis::Layer::mobile));
+    heights.add(analysis::measure(simulation.terrain()).max_slabs);
   }
   const Shift velocity = tracker.velocity().value_or(Shift{});
   return {heights.mean(), std::hypot(velocity.x, velocity.y)};
@@ -75,7 +80,7 @@ std::vector<Mover> field_run(const SpeedScene& scene, int seed) {
     simulation.step();
     const std::int64_t step = simulation.step_count();
     if (step < settle || step % every != 0) continue;
-    tracker.observe(step, find_dunes(simulation.terrain(), 270).dunes, simulation.terrain());
+    tracker.observe(step, analysis::find_dunes(simulation.terrain(), 270).dunes, simulation.terrain());
     if (step == settle) tracker.start_ways();
   }
   std::vector<Mover> movers;
@@ -171,4 +176,4 @@ std::string speed_against_height(const ValidationOptions& options) {
          field_table(scenes, seeds);
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -4,7 +4,10 @@
 #include "app/validate/validation_nature.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::StarArms;
+
 namespace {
 
 struct StarScene {
@@ -16,7 +19,7 @@ struct StarScene {
 StarArms star_run(const StarScene& scene, int winds, int season, int steps, int seed) {
   std::vector<std::string> settings{"grid.nx=192", "grid.ny=192", "scene.sand=0", "run.seed=" + std::to_string(seed)};
   settings.insert(settings.end(), scene.settings.begin(), scene.settings.end());
-  Config config = nature_config(scene.model, settings);
+  sim::Config config = nature_config(scene.model, settings);
   Season one = config.wind.seasons.at(0);
   one.steps = season;
   config.wind.seasons.clear();
@@ -24,9 +27,9 @@ StarArms star_run(const StarScene& scene, int winds, int season, int steps, int 
     one.bearing = fold_bearing(20 + 360.0 * wind / winds);  // none along an axis of the grid
     config.wind.seasons.push_back(one);
   }
-  Simulation simulation = lone_cones(config, {{96, 96, 72}});
+  sim::Simulation simulation = lone_cones(config, {{96, 96, 72}});
   while (simulation.step_count() < steps) simulation.step();
-  const std::vector<StarArms> stars = find_stars(simulation.terrain(), 96);
+  const std::vector<StarArms> stars = analysis::find_stars(simulation.terrain(), 96);
   return stars.empty() ? StarArms{} : stars.front();
 }
 
@@ -80,4 +83,4 @@ std::string star_dune_arms(const ValidationOptions& options) {
          table.markdown();
 }
 
-}  // namespace erg
+}  // namespace erg::app

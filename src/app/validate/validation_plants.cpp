@@ -9,7 +9,12 @@
 #include "io/checkpoint/start_simulation.h"
 #include "io/config/config_file.h"
 
-namespace erg {
+namespace erg::app {
+
+using analysis::DuneMeans;
+using analysis::DuneRule;
+using sim::set_from_text;
+
 namespace {
 
 std::vector<PlantScene> plant_scenes() {
@@ -43,15 +48,16 @@ std::vector<std::string> shape_row(const PlantScene& scene, int seeds) {
 }  // namespace
 
 DuneMeans shapes(const PlantScene& scene, int seed) {
-  Config config = read_config(config_path(scene.preset));
+  sim::Config config = io::read_config(config_path(scene.preset));
   for (const std::string& setting : scene.settings) set_from_text(config, setting);
   set_from_text(config, "run.executor=cpu");
   set_from_text(config, "run.threads=1");  // small lands: two threads would wait for each other more than they work
   set_from_text(config, "run.seed=" + std::to_string(seed));
-  Simulation simulation = start_simulation(config);
+  sim::Simulation simulation = io::start_simulation(config);
   while (simulation.step_count() < scene.steps && !simulation.finished()) simulation.step();
   const DuneRule rule{.base = 0, .least = scene.least};
-  return mean_of_dunes(find_dunes(simulation.terrain(), simulation.last_wind().mean_bearing(), rule).dunes);
+  return analysis::mean_of_dunes(
+      analysis::find_dunes(simulation.terrain(), simulation.last_wind().mean_bearing(), rule).dunes);
 }
 
 std::string plants_section(const ValidationOptions& options) {
@@ -71,4 +77,4 @@ std::string plants_section(const ValidationOptions& options) {
          "from the same thickness on: nebkhas are then longer than the bare dunes beside them, which are low.\n";
 }
 
-}  // namespace erg
+}  // namespace erg::app

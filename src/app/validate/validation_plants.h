@@ -6,7 +6,7 @@
 
 #include "analysis/dune_outlines.h"
 
-namespace erg {
+namespace erg::app {
 
 /// A preset of plants, or the same land changed by `settings`, at one step.
 struct PlantScene {
@@ -18,6 +18,6 @@ struct PlantScene {
 };
 
 /// Its dunes' means, on `cpu` with one thread. Throws InputError where the preset is missing.
-DuneMeans shapes(const PlantScene& scene, int seed);
+analysis::DuneMeans shapes(const PlantScene& scene, int seed);
 
-}  // namespace erg
+}  // namespace erg::app

@@ -7,7 +7,10 @@
 #include "core/units.h"
 #include "forcing/shadow.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::Config;
+
 namespace {
 
 /// A row of print: one run of one program. Its settings stand in tables 6.1 to 6.7 of Cimbura 2022 and the text beside
@@ -42,9 +45,9 @@ Identity flat_bed(const char* what, const char* chance, double exact) {
   for (const std::string& assignment :
        {std::string("scene.kind=flat"), std::string("scene.sand=50"), std::string("parameters.polling=nonrepeated"),
         std::string("parameters.shadow_angle=80"), std::string("parameters.p_sand=") + chance}) {
-    set_from_text(config, assignment);
+    sim::set_from_text(config, assignment);
   }
-  Simulation simulation(config);
+  sim::Simulation simulation(config);
   const StepReport report = simulation.step();
   return {what, exact, report.travel / static_cast<double>(report.lifts)};
 }
@@ -99,4 +102,4 @@ std::string identities_section() {
          table.markdown();
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -7,7 +7,10 @@
 #include "app/validate/validation.h"
 #include "forcing/bearing.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::Config;
+
 namespace {
 
 // Cells of a centimetre. Long enough along most winds for a dozen ripples and more, or their number could hardly
@@ -19,7 +22,7 @@ Config ripple_config(const std::string& strength_is, double strength, double bea
   for (const std::string& assignment :
        {"grid.nx=" + std::to_string(ripple_ground.nx), "grid.ny=" + std::to_string(ripple_ground.ny),
         "parameters.strength_is=" + strength_is, "run.steps=" + std::to_string(steps)}) {
-    set_from_text(config, assignment);
+    sim::set_from_text(config, assignment);
   }
   config.wind = Regime::constant(bearing, strength);
   config.title = "ripples, " + strength_is + " " + fixed_text(strength, 1) + " from " + fixed_text(bearing, 0);
@@ -108,4 +111,4 @@ std::string ripples_section(const ValidationOptions& options) {
          table.markdown() + ripples_conclusion;
 }
 
-}  // namespace erg
+}  // namespace erg::app

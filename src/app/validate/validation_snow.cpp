@@ -7,7 +7,10 @@
 #include "app/validate/validation.h"
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::set_from_text;
+
 namespace {
 
 struct SnowScene {
@@ -25,27 +28,28 @@ std::vector<SnowScene> snow_scenes() {
 }
 
 std::string form(const SnowScene& scene, double wind, int calm_hours) {
-  Config config("snow_sintering");
+  sim::Config config("snow_sintering");
   for (const std::string& setting : scene.settings) set_from_text(config, setting);
   for (const std::string& setting :
        {std::string("grid.nx=128"), std::string("grid.ny=128"), "wind.strength=" + fixed_text(wind, 1),
         "parameters.start_age=" + std::to_string(calm_hours)}) {
     set_from_text(config, setting);
   }
-  Simulation simulation(config);
+  sim::Simulation simulation(config);
   for (int step = 0; step < scene.steps; ++step) simulation.step();
-  const BedformShape shape = measure_bedforms(simulation.terrain(), config.wind.at(0).bearing);
-  return bedform_name(shape) + " (" + fixed_text(shape.across, 2) + ", " + fixed_text(shape.skew, 1) + ", " +
+  const analysis::BedformShape shape = analysis::measure_bedforms(simulation.terrain(), config.wind.at(0).bearing);
+  return analysis::bedform_name(shape) + " (" + fixed_text(shape.across, 2) + ", " + fixed_text(shape.skew, 1) + ", " +
          fixed_text(shape.relief * 100, 1) + " cm, " + fixed_text(shape.crust, 2) + ")";
 }
 
 /// How `bedform_name` names a form, in words.
 std::string naming_rule() {
-  return "Named by these numbers: flat under " + fixed_text(least_relief * 100, 1) + " cm, waves under " +
-         fixed_text(waves_across, 2) + " across, streaks from " + fixed_text(streaks_across, 2) +
+  return "Named by these numbers: flat under " + fixed_text(analysis::least_relief * 100, 1) + " cm, waves under " +
+         fixed_text(analysis::waves_across, 2) + " across, streaks from " + fixed_text(analysis::streaks_across, 2) +
          " on, rough between. Streaks are sastrugi where they are carved: at least " +
-         fixed_text(least_sastrugi_relief * 100, 0) + " cm, skew " + fixed_text(least_sastrugi_skew, 1) + " and " +
-         fixed_text(least_sastrugi_crust * 100, 0) + "% bare bonded snow.";
+         fixed_text(analysis::least_sastrugi_relief * 100, 0) + " cm, skew " +
+         fixed_text(analysis::least_sastrugi_skew, 1) + " and " + fixed_text(analysis::least_sastrugi_crust * 100, 0) +
+         "% bare bonded snow.";
 }
 
 }  // namespace
@@ -75,4 +79,4 @@ std::string snow_section(const ValidationOptions& options) {
   return section;
 }
 
-}  // namespace erg
+}  // namespace erg::app

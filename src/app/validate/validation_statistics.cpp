@@ -6,7 +6,11 @@
 #include "app/validate/sample.h"
 #include "app/validate/validation.h"
 
-namespace erg {
+namespace erg::app {
+
+using sim::Config;
+using sim::set_from_text;
+
 namespace {
 
 /// A column of the executors' table.
@@ -110,4 +114,4 @@ std::string executors_section(const ValidationOptions& options) {
          table.markdown();
 }
 
-}  // namespace erg
+}  // namespace erg::app

@@ -22,7 +22,10 @@
 // bytes). Numbers are little-endian; a text or an array is preceded by its length (8 bytes). Payload: config, step,
 // totals, account, extent, cell size, quantum, boundary, inflow, bedrock, mobile layer, fields.
 
-namespace erg {
+namespace erg::io {
+
+using sim::Config;
+
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
@@ -146,7 +149,7 @@ class CheckpointReader {
   /// Of things that have been counted.
   std::int64_t count() {
     const auto value = number<std::int64_t>();
-    if (value < 0 || value > largest_count) refuse_damaged("a count is out of range");
+    if (value < 0 || value > sim::largest_count) refuse_damaged("a count is out of range");
     return value;
   }
   /// A value that a parameter has, too.
@@ -271,7 +274,7 @@ Terrain read_terrain(CheckpointReader& in, const Config& config) {
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const Config& config, const RunState& state) {
+void write_checkpoint(const std::filesystem::path& path, const Config& config, const sim::RunState& state) {
   check_whole(state.terrain);
   write_file_atomically(path, [&](const ByteSink& sink) {
     Writer out(sink);
@@ -291,13 +294,13 @@ Saved read_checkpoint(const std::filesystem::path& path) {
   Saved saved{parse_config(in.text(), path.string() + " (its config)"), {}};
   saved.state.step = in.count();
   saved.state.totals = read_totals(in);
-  check_memory({&saved.config, 1}, 0, free_memory());
+  sim::check_memory({&saved.config, 1}, 0, sim::free_memory());
   saved.state.terrain = read_terrain(in, saved.config);
   if (in.left() != 0) in.refuse_damaged("something follows its end");
   const Terrain& terrain = saved.state.terrain;
-  if (const auto problem = terrain_problem(saved.config, terrain.quantum(), terrain)) in.refuse_damaged(*problem);
-  if (const auto problem = ledger_problem(terrain)) in.refuse_damaged(*problem);
+  if (const auto problem = sim::terrain_problem(saved.config, terrain.quantum(), terrain)) in.refuse_damaged(*problem);
+  if (const auto problem = sim::ledger_problem(terrain)) in.refuse_damaged(*problem);
   return saved;
 }
 
-}  // namespace erg
+}  // namespace erg::io

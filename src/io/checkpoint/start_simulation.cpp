@@ -6,7 +6,14 @@
 #include "core/exact_text.h"
 #include "io/formats/heightmap.h"
 
-namespace erg {
+namespace erg::io {
+
+using sim::Config;
+using sim::HeightRange;
+using sim::NoDataRule;
+using sim::PictureFit;
+using sim::Simulation;
+
 namespace {
 
 bool has_image_scene(const Config& config) { return config.scene.text("kind") == "image"; }
@@ -26,8 +33,8 @@ HeightPictureOptions scene_options(const Config& config) {
 
 std::string text_of(const HeightRange& range) { return exact_text(range.low) + " to " + exact_text(range.high) + " m"; }
 
-void tell_heights(const Config& config, const HeightPicture& picture, std::vector<std::string>& notes) {
-  const HeightRange used = image_heights(config.scene, picture);
+void tell_heights(const Config& config, const sim::HeightPicture& picture, std::vector<std::string>& notes) {
+  const HeightRange used = sim::image_heights(config.scene, picture);
   const std::string name = config.scene.text("image");
   if (config.scene.text("image_role") == "sand" && std::min(used.low, used.high) < 0) {
     notes.push_back(name + ": no sand lies where its height is below 0 m (image_role sand)");
@@ -102,4 +109,4 @@ Provenance provenance_of(Simulation& simulation) {
                        simulation.executor().threads());
 }
 
-}  // namespace erg
+}  // namespace erg::io

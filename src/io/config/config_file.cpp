@@ -4,7 +4,10 @@
 #include "io/files/atomic_file.h"
 #include "io/files/given_file.h"
 
-namespace erg {
+namespace erg::io {
+
+using sim::Config;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +96,4 @@ void write_config(const fs::path& path, const Config& config) {
   write_file_atomically(path, config_text(portable));
 }
 
-}  // namespace erg
+}  // namespace erg::io

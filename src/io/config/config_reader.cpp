@@ -11,7 +11,13 @@
 #include "io/files/json_tree.h"
 #include "models/model.h"
 
-namespace erg {
+namespace erg::io {
+
+using sim::Config;
+using sim::config_groups;
+using sim::config_version;
+using sim::ConfigGroup;
+
 namespace {
 
 /// A list of pairs of numbers as a curve; nothing for any other value.
@@ -131,7 +137,7 @@ class ConfigReader {
   /// Reports a value of the weather that the model does not ask for.
   void check_asked_for(const JsonNode& node, const std::string& key, bool asked) {
     if (asked) return;
-    const Mistake mistake = not_asked_for(key, config().model);
+    const Mistake mistake = sim::not_asked_for(key, config().model);
     mistakes().add(node.line, mistake.problem, mistake.remedy);
   }
 
@@ -149,7 +155,7 @@ class ConfigReader {
   /// Makes the config one of the model asked for. With an unknown model it takes the one most likely meant, so that its
   /// parameters are checked all the same; false if there is none.
   bool read_model(const JsonNode::Object& root) {
-    const std::vector<std::string> keys = model_keys();
+    const std::vector<std::string> keys = sim::model_keys();
     const JsonNode* node = find(root, "model");
     if (node == nullptr) {
       if (whole()) mistakes().add(tree_.root.line, "\"model\" is missing", suggestion("", keys));
@@ -252,7 +258,7 @@ class ConfigReader {
   }
 
   Season read_season(const JsonNode& node, bool snows) {
-    Season season = starting_wind(info().start).seasons.front();
+    Season season = sim::starting_wind(info().start).seasons.front();
     const JsonNode::Object* members = object(node, "a season");
     if (members == nullptr) return season;
     check_keys(*members, {"bearing", "strength", "first", "last", "spread", "hold", "steps", "curve", "snowfall"});
@@ -260,7 +266,8 @@ class ConfigReader {
     read_strengths(*members, season);
     if (const JsonNode* snowfall = find(*members, "snowfall")) check_asked_for(*snowfall, "snowfall", snows);
     read_swing(*members, season);
-    const ParameterValues values = read_values(*members, {season_steps_parameter(), season_snowfall_parameter()});
+    const ParameterValues values =
+        read_values(*members, {sim::season_steps_parameter(), sim::season_snowfall_parameter()});
     season.steps = values.integer("steps");
     season.snowfall = values.real("snowfall");
     if (const JsonNode* curve = find(*members, "curve")) read_curve(*curve, season.curve);
@@ -269,7 +276,7 @@ class ConfigReader {
 
   void read_swing(const JsonNode::Object& members, Season& season) {
     const ParameterValues values =
-        read_values(members, {season_spread_parameter(info().start), season_hold_parameter()});
+        read_values(members, {sim::season_spread_parameter(info().start), sim::season_hold_parameter()});
     season.spread = values.real("spread");
     season.hold = values.integer("hold");
   }
@@ -305,7 +312,7 @@ class ConfigReader {
   }
 
   void read_degrees(const JsonNode& node, const std::string& key, double& temperature) {
-    Parameter parameter = temperature_parameter();
+    Parameter parameter = sim::temperature_parameter();
     parameter.key = key;
     ParameterValues values({parameter});
     if (const auto value = checked(parameter, node)) values.set(key, *value);
@@ -332,7 +339,7 @@ class ConfigReader {
   void read_strength(const JsonNode::Object& members, const std::string& key, double& strength) {
     const JsonNode* node = find(members, key);
     if (node == nullptr) return;
-    Parameter parameter = strength_parameter(info().start);
+    Parameter parameter = sim::strength_parameter(info().start);
     parameter.key = key;
     ParameterValues values({parameter});
     if (const auto value = checked(parameter, *node)) values.set(key, *value);
@@ -412,4 +419,4 @@ ConfigReading read_config_text(std::string_view text, const std::string& name) {
   return ConfigReader(text, name).read();
 }
 
-}  // namespace erg
+}  // namespace erg::io

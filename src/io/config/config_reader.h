@@ -9,7 +9,7 @@
 #include "core/errors.h"
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::io {
 
 /// The mistakes found in one file.
 class MistakeList {
@@ -35,7 +35,7 @@ class MistakeList {
 
 /// What a config's text says. The config is of use only when there are no mistakes.
 struct ConfigReading {
-  Config config;
+  sim::Config config;
   MistakeList mistakes;
   int image_line = 0;        ///< where scene.image stands
   int model_image_line = 0;  ///< where the model's own path stands
@@ -45,4 +45,4 @@ struct ConfigReading {
 /// Reads all of a text, whatever is wrong with it; `name` stands for the file in mistakes.
 ConfigReading read_config_text(std::string_view text, const std::string& name);
 
-}  // namespace erg
+}  // namespace erg::io

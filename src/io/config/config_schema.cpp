@@ -7,7 +7,14 @@
 #include "io/files/json_print.h"
 #include "models/model.h"
 
-namespace erg {
+namespace erg::io {
+
+using sim::grid_parameters;
+using sim::scene_parameters;
+using sim::season_hold_parameter;
+using sim::season_spread_parameter;
+using sim::strength_parameter;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -126,9 +133,9 @@ Json season_schema() {
   properties["last"] = strength;
   properties["spread"] = parameter_schema(season_spread_parameter());
   properties["hold"] = parameter_schema(season_hold_parameter());
-  properties["steps"] = parameter_schema(season_steps_parameter());
+  properties["steps"] = parameter_schema(sim::season_steps_parameter());
   properties["curve"] = curve_schema();
-  properties["snowfall"] = parameter_schema(season_snowfall_parameter());
+  properties["snowfall"] = parameter_schema(sim::season_snowfall_parameter());
   Json schema = object_schema(std::move(properties));
   const Json has_first = {{"required", {"first"}}};
   const Json has_last = {{"required", {"last"}}};
@@ -154,7 +161,7 @@ Json wind_schema() {
 }
 
 Json temperature_schema() {
-  const Json degrees = parameter_schema(temperature_parameter());
+  const Json degrees = parameter_schema(sim::temperature_parameter());
   Json properties;
   properties["first"] = degrees;
   properties["last"] = degrees;
@@ -204,16 +211,16 @@ Json text_schema(const char* meaning) { return {{"type", "string"}, {"descriptio
 
 std::string config_schema() {
   Json properties;
-  properties["erg"] = {{"description", "Version of the format."}, {"const", config_version}};
+  properties["erg"] = {{"description", "Version of the format."}, {"const", sim::config_version}};
   properties["title"] = text_schema("A name for people.");
   properties["description"] = text_schema("What it shows, in a sentence.");
-  properties["model"] = {{"description", "The model."}, {"enum", model_keys()}};
+  properties["model"] = {{"description", "The model."}, {"enum", sim::model_keys()}};
   properties["grid"] = group_schema(grid_parameters());
   properties["scene"] = group_schema(scene_parameters());
   properties["parameters"] = {{"description", "The model's own parameters."}, {"type", "object"}};
   properties["wind"] = wind_schema();
   properties["temperature"] = temperature_schema();
-  properties["run"] = group_schema(run_parameters());
+  properties["run"] = group_schema(sim::run_parameters());
 
   Json schema;
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
@@ -229,4 +236,4 @@ std::string config_schema() {
   return pretty_json(schema);
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -8,7 +8,7 @@
 #include "io/files/json_print.h"
 #include "models/model.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -90,14 +90,14 @@ Json wind_json(const Regime& wind, const ModelInfo& model) {
 
 }  // namespace
 
-std::string config_text(const Config& config) {
+std::string config_text(const sim::Config& config) {
   const ModelInfo& asking = find_model(config.model).info;  // a reader refuses what it does not ask for
   Json json;
-  json["erg"] = config_version;
+  json["erg"] = sim::config_version;
   if (!config.title.empty()) json["title"] = config.title;
   if (!config.description.empty()) json["description"] = config.description;
   json["model"] = config.model;
-  for (const ConfigGroup& group : config_groups()) {
+  for (const sim::ConfigGroup& group : sim::config_groups()) {
     if (group.key == "run") {
       json["wind"] = wind_json(config.wind, asking);
       if (asking.asks_temperature && config.temperature != Temperature{})
@@ -109,4 +109,4 @@ std::string config_text(const Config& config) {
   return pretty_json(json);
 }
 
-}  // namespace erg
+}  // namespace erg::io

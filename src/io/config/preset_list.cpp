@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace erg {
+namespace erg::io {
 
 namespace fs = std::filesystem;
 
@@ -27,4 +27,4 @@ fs::path preset_picture(const fs::path& folder, const std::string& name) {
   return folder / "gallery" / (name + ".jpg");
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace erg {
+namespace erg::io {
 
 /// A config that comes with the program.
 struct Preset {
@@ -19,4 +19,4 @@ std::vector<Preset> list_presets(const std::filesystem::path& folder);
 /// Where a preset's picture lies: NAME.jpg in the folder `gallery` beside the presets (`erg gallery` makes them).
 std::filesystem::path preset_picture(const std::filesystem::path& folder, const std::string& name);
 
-}  // namespace erg
+}  // namespace erg::io

@@ -8,7 +8,7 @@
 #include "io/files/atomic_file.h"
 #include "sim/step_time.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,14 +25,14 @@ std::string executor_text(const std::string& executor, int threads) {
   return executor + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
 }
 
-Provenance provenance_of(const Config& config, std::int64_t step, const std::string& executor, int threads) {
+Provenance provenance_of(const sim::Config& config, std::int64_t step, const std::string& executor, int threads) {
   return {.config = config_text(config),
           .seed = static_cast<std::uint64_t>(config.run.integer("seed")),
           .step = step,
           .model = config.model,
           .version = program_version(),
           .executor = executor_text(executor, threads),
-          .days = days_after(config, step)};
+          .days = sim::days_after(config, step)};
 }
 
 std::string config_hash(const Provenance& provenance) {
@@ -61,4 +61,4 @@ void keep_config_beside(const fs::path& path, const Provenance& provenance) {
   if (fs::file_size(beside, none) != provenance.config.size()) write_file_atomically(beside, provenance.config);
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -10,7 +10,7 @@
 
 #include "sim/config.h"
 
-namespace erg {
+namespace erg::io {
 
 /// All that it takes to make a file again.
 struct Provenance {
@@ -31,7 +31,7 @@ std::string program_version();
 std::string executor_text(const std::string& executor, int threads);
 
 /// The provenance of a run of this config after `step` steps.
-Provenance provenance_of(const Config& config, std::int64_t step, const std::string& executor, int threads);
+Provenance provenance_of(const sim::Config& config, std::int64_t step, const std::string& executor, int threads);
 
 /// Names and texts to write into a file, in order.
 using MetadataEntries = std::vector<std::pair<std::string, std::string>>;
@@ -53,4 +53,4 @@ MetadataEntries metadata(const Provenance& provenance);
 /// WriteError.
 void keep_config_beside(const std::filesystem::path& path, const Provenance& provenance);
 
-}  // namespace erg
+}  // namespace erg::io

@@ -8,7 +8,7 @@
 
 #include "io/files/unfinished_file.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,4 +53,4 @@ void try_to_write(const fs::path& path) {
   if (::access(path.c_str(), W_OK) != 0) fail_to_write(path);
 }
 
-}  // namespace erg
+}  // namespace erg::io

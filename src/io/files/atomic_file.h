@@ -8,7 +8,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::io {
 
 /// A file that cannot be written: no room, no permission, no folder. What lay under its name is untouched.
 class WriteError : public InputError {
@@ -41,4 +41,4 @@ void try_to_write(const std::filesystem::path& path);
 /// otherwise.
 std::string take_disk_notice();
 
-}  // namespace erg
+}  // namespace erg::io

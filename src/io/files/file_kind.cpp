@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string_view>
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 using namespace std::string_view_literals;
@@ -156,4 +156,4 @@ std::optional<FileKind> file_kind(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
-}  // namespace erg
+}  // namespace erg::io

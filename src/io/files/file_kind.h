@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace erg {
+namespace erg::io {
 
 /// What a file is that is no PNG.
 struct FileKind {
@@ -17,4 +17,4 @@ struct FileKind {
 /// another picture, no picture at all. Nothing for a PNG, and for what is not known.
 std::optional<FileKind> file_kind(const std::filesystem::path& path);
 
-}  // namespace erg
+}  // namespace erg::io

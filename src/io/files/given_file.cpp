@@ -11,7 +11,7 @@
 
 #include "io/files/text_encoding.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ std::string read_text_file(const fs::path& path, const std::string& kind) {
   return utf8_text(read_all(file, path), path.string());
 }
 
-}  // namespace erg
+}  // namespace erg::io

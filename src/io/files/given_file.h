@@ -7,7 +7,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::io {
 
 /// What stands against reading a file under this path, or nothing: that it is not there (with the path that was most
 /// likely meant: another case, slashes the other way, a letter off), that it is a folder, that links lead in a circle
@@ -26,4 +26,4 @@ bool is_stream(const std::filesystem::path& path);
 /// out. Throws InputError where it cannot be read, and where its text is not UTF-8, with what it is instead.
 std::string read_text_file(const std::filesystem::path& path, const std::string& kind);
 
-}  // namespace erg
+}  // namespace erg::io

@@ -8,7 +8,7 @@
 
 #include "io/files/atomic_file.h"
 
-namespace erg {
+namespace erg::io {
 
 namespace fs = std::filesystem;
 
@@ -54,4 +54,4 @@ void GrowingFile::append(std::string_view content) {
   fail_to_write(path_);
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -7,7 +7,7 @@
 
 #include "io/files/unfinished_file.h"
 
-namespace erg {
+namespace erg::io {
 
 /// Holds a file locked as long as it lives, under whatever name it was given; a program that is killed lets go of it.
 /// Where a file system knows no locks nobody is kept out.
@@ -31,4 +31,4 @@ class GrowingFile {
   bool is_device_ = false;  ///< or a pipe: neither locked nor replaced
 };
 
-}  // namespace erg
+}  // namespace erg::io

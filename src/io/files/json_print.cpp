@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -72,4 +72,4 @@ Json json_value(const Parameter& parameter, const ParameterValue& value) {
 
 std::string pretty_json(const Json& value) { return laid_out(value, 0, 0) + "\n"; }
 
-}  // namespace erg
+}  // namespace erg::io

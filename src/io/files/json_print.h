@@ -6,7 +6,7 @@
 
 #include "core/parameters.h"
 
-namespace erg {
+namespace erg::io {
 
 /// A value as JSON, whole numbers without a point.
 nlohmann::ordered_json json_value(const ParameterValue& value);
@@ -17,4 +17,4 @@ nlohmann::ordered_json json_value(const Parameter& parameter, const ParameterVal
 /// newline. Text that is not UTF-8 comes out with replacement characters.
 std::string pretty_json(const nlohmann::ordered_json& value);
 
-}  // namespace erg
+}  // namespace erg::io

@@ -9,7 +9,7 @@
 
 #include "core/parameters.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 using nlohmann::json;
@@ -226,4 +226,4 @@ JsonTree read_json(std::string_view text, const std::string& name) {
   return tree;
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -10,7 +10,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::io {
 
 struct JsonMember;
 
@@ -48,4 +48,4 @@ struct JsonTree {
 /// Reads any text whatever, passing over comments (`// ...` and `/* ... */`); `name` stands in the places of mistakes.
 JsonTree read_json(std::string_view text, const std::string& name);
 
-}  // namespace erg
+}  // namespace erg::io

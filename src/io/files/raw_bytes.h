@@ -4,7 +4,7 @@
 #include <bit>
 #include <string>
 
-namespace erg {
+namespace erg::io {
 
 static_assert(std::endian::native == std::endian::little, "values are written as they lie in memory");
 
@@ -14,4 +14,4 @@ void append_raw(std::string& bytes, const T& value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-}  // namespace erg
+}  // namespace erg::io

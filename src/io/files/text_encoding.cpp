@@ -6,7 +6,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 using namespace std::string_view_literals;
@@ -82,4 +82,4 @@ std::string utf8_text(std::string text, const std::string& place) {
   return text;
 }
 
-}  // namespace erg
+}  // namespace erg::io

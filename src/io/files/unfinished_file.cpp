@@ -11,7 +11,7 @@
 
 #include "io/files/atomic_file.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ Descriptor UnfinishedFile::become_target() {
   return std::move(file_);
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace erg {
+namespace erg::io {
 
 /// Throws the WriteError that `errno` stands for.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path);
@@ -65,4 +65,4 @@ class UnfinishedFile {
   bool renamed_ = false;
 };
 
-}  // namespace erg
+}  // namespace erg::io

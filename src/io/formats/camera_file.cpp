@@ -9,7 +9,10 @@
 #include "io/files/json_print.h"
 #include "io/files/json_tree.h"
 
-namespace erg {
+namespace erg::io {
+
+using picture::Camera;
+
 namespace {
 
 // A number of a camera: its key, where it stands, and the range that makes sense.
@@ -123,4 +126,4 @@ void write_camera(const std::filesystem::path& path, const Camera& camera) {
   write_file_atomically(path, camera_text(camera));
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -11,18 +11,18 @@
 
 #include "picture/camera.h"
 
-namespace erg {
+namespace erg::io {
 
 /// Reads a camera. Throws one InputError with every mistake in the file, each at `file:line`.
-Camera read_camera(const std::filesystem::path& path);
+picture::Camera read_camera(const std::filesystem::path& path);
 
 /// The same from text; `name` stands for the file in mistakes.
-Camera parse_camera(std::string_view text, const std::string& name);
+picture::Camera parse_camera(std::string_view text, const std::string& name);
 
 /// The camera as the text of a file: parse_camera gives the same camera back.
-std::string camera_text(const Camera& camera);
+std::string camera_text(const picture::Camera& camera);
 
 /// Writes the camera, whole or not at all. Throws InputError when it cannot.
-void write_camera(const std::filesystem::path& path, const Camera& camera);
+void write_camera(const std::filesystem::path& path, const picture::Camera& camera);
 
-}  // namespace erg
+}  // namespace erg::io

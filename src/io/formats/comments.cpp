@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-namespace erg {
+namespace erg::io {
 
 std::string comments(const std::string& mark, const Provenance& provenance) {
   std::string all;
@@ -16,4 +16,4 @@ std::string comments(const std::string& mark, const Provenance& provenance) {
   return all;
 }
 
-}  // namespace erg
+}  // namespace erg::io

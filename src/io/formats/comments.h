@@ -5,10 +5,10 @@
 
 #include "io/config/provenance.h"
 
-namespace erg {
+namespace erg::io {
 
 /// The provenance as lines that begin with `mark` ("# "): one for a short text, for one of several lines its name and
 /// then the lines.
 std::string comments(const std::string& mark, const Provenance& provenance);
 
-}  // namespace erg
+}  // namespace erg::io

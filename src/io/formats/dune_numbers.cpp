@@ -6,7 +6,11 @@
 #include "core/units.h"
 #include "forcing/bearing.h"
 
-namespace erg {
+namespace erg::io {
+
+using analysis::DuneWay;
+using analysis::Horns;
+
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -90,7 +94,7 @@ const std::vector<RunNumber>& dune_numbers() {
 }
 
 std::vector<double> dune_row(const MeasuredDunes& moment, const MeasuredDune& dune) {
-  const Dune& shape = dune.dune;
+  const analysis::Dune& shape = dune.dune;
   return {static_cast<double>(moment.step),
           moment.days,
           static_cast<double>(dune.number),
@@ -177,4 +181,4 @@ std::vector<double> field_row(const MeasuredDunes& moment) {
           moment.spectrum.alignment};
 }
 
-}  // namespace erg
+}  // namespace erg::io

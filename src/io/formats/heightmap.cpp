@@ -16,7 +16,15 @@
 #include "io/formats/png_reader.h"
 #include "sim/memory.h"
 
-namespace erg {
+namespace erg::io {
+
+using sim::free_memory;
+using sim::HeightPicture;
+using sim::HeightRange;
+using sim::memory_text;
+using sim::NoDataRule;
+using sim::PictureResampler;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -132,7 +140,7 @@ void HeightReading::tell_shape(std::vector<std::string>& notes) const {
   if (std::max(stretched, 1 / stretched) < alike) return;
   const std::string both =
       path_.string() + " has " + sides(extent()) + " pixels and the grid " + sides(grid) + " cells: ";
-  notes.push_back(both + (options_.fit == PictureFit::crop
+  notes.push_back(both + (options_.fit == sim::PictureFit::crop
                               ? "its middle is taken (image_fit crop)"
                               : "it is stretched to another shape; a scene's image_fit may be crop or from_file"));
 }
@@ -187,4 +195,4 @@ void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, 
   write_png(path, image, entries);
 }
 
-}  // namespace erg
+}  // namespace erg::io

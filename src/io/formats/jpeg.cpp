@@ -18,7 +18,9 @@
 #pragma GCC diagnostic pop
 #endif
 
-namespace erg {
+namespace erg::io {
+
+using picture::RgbImage;
 
 namespace {
 
@@ -54,4 +56,4 @@ void write_run_jpeg(const std::filesystem::path& path, const RgbImage& image, co
   write_file_atomically(path, bytes);
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -6,13 +6,13 @@
 #include "io/config/provenance.h"
 #include "picture/image.h"
 
-namespace erg {
+namespace erg::io {
 
 /// Writes a JPEG, whole or not at all. `quality` 1 to 100. Throws InputError when it cannot be written.
-void write_jpeg(const std::filesystem::path& path, const RgbImage& image, int quality = 85);
+void write_jpeg(const std::filesystem::path& path, const picture::RgbImage& image, int quality = 85);
 
 /// The same for a picture of a run: its provenance (metadata) stands in the JPEG's comment, an entry a line, and a long
 /// config beside the file.
-void write_run_jpeg(const std::filesystem::path& path, const RgbImage& image, const Provenance& provenance);
+void write_run_jpeg(const std::filesystem::path& path, const picture::RgbImage& image, const Provenance& provenance);
 
-}  // namespace erg
+}  // namespace erg::io

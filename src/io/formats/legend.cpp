@@ -7,21 +7,27 @@
 #include "picture/label.h"
 #include "picture/marks.h"
 
-namespace erg {
+namespace erg::io {
+
+using picture::Colour;
+using picture::draw_label;
+using picture::label_width;
+using picture::RgbImage;
+
 namespace {
 
 constexpr Colour paper{0.965f, 0.955f, 0.935f};
 constexpr Colour ink{0.20f, 0.18f, 0.16f};
-constexpr double text_size = mark_text_size;
+constexpr double text_size = picture::mark_text_size;
 constexpr int margin = 14;
 
 // Draws arrow and bearing at the right edge; returns the first pixel used.
 int draw_wind(RgbImage& image, int baseline, const WindNow& wind) {
-  const std::string text = "wind " + number_text(std::round(wind.mean_bearing())) + " deg";
+  const std::string text = "wind " + picture::number_text(std::round(wind.mean_bearing())) + " deg";
   const int left = image.width - margin - label_width(text, text_size);
   draw_label(image, text, left, baseline, text_size, ink);
   const Direction toward = downwind(wind.mean_bearing());
-  draw_arrow(image, left - 24, baseline - 6, toward.x, toward.y, 30, ink);
+  picture::draw_arrow(image, left - 24, baseline - 6, toward.x, toward.y, 30, ink);
   return left - 42;
 }
 
@@ -30,10 +36,10 @@ int draw_wind(RgbImage& image, int baseline, const WindNow& wind) {
 void draw_legend(RgbImage& image, double pixel_size, const PictureOptions& options) {
   image.paste(RgbImage(image.width, legend_height, paper), 0, image.height - legend_height);
   const int baseline = image.height - 16;
-  const int left = draw_scale_bar(image, margin, baseline, 0.22 * image.width, pixel_size, ink) + 2 * margin;
+  const int left = picture::draw_scale_bar(image, margin, baseline, 0.22 * image.width, pixel_size, ink) + 2 * margin;
   const int right = (options.wind ? draw_wind(image, baseline, *options.wind) : image.width) - 2 * margin;
   const int width = label_width(options.caption, text_size);
   if (width <= right - left) draw_label(image, options.caption, (left + right - width) / 2, baseline, text_size, ink);
 }
 
-}  // namespace erg
+}  // namespace erg::io

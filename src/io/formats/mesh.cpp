@@ -13,7 +13,7 @@
 #include "io/files/raw_bytes.h"
 #include "io/formats/comments.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 using Point = std::array<float, 3>;
@@ -204,4 +204,4 @@ void write_stl(const std::filesystem::path& path, const Terrain& terrain, const 
   });
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -7,7 +7,7 @@
 #include "core/terrain.h"
 #include "io/config/provenance.h"
 
-namespace erg {
+namespace erg::io {
 
 /// Told the part done (0 to 1) now and then; false stops the writing.
 using WriteProgress = std::function<bool(double)>;
@@ -32,4 +32,4 @@ void write_ply(const std::filesystem::path& path, const Terrain& terrain, const 
 void write_stl(const std::filesystem::path& path, const Terrain& terrain, const Provenance& provenance,
                const WriteProgress& progress = {});
 
-}  // namespace erg
+}  // namespace erg::io

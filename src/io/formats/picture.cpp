@@ -9,7 +9,14 @@
 #include "io/formats/relief.h"
 #include "picture/palette.h"
 
-namespace erg {
+namespace erg::io {
+
+using picture::blend;
+using picture::Colour;
+using picture::find_palette;
+using picture::Palette;
+using picture::RgbImage;
+
 namespace {
 
 constexpr Colour bare_ground{0.54f, 0.49f, 0.43f};
@@ -112,4 +119,4 @@ RgbImage draw_picture(const Terrain& terrain, const PictureOptions& options) {
   return whole;
 }
 
-}  // namespace erg
+}  // namespace erg::io

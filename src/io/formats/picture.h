@@ -9,7 +9,7 @@
 #include "forcing/regime.h"
 #include "io/formats/png.h"
 
-namespace erg {
+namespace erg::io {
 
 /// What a top view shows, and how.
 struct PictureOptions {
@@ -25,6 +25,6 @@ struct PictureOptions {
 
 /// Draws the terrain: north up. Slabs are smoothed away (they are a unit of account, not steps of the ground), crests
 /// are kept. Throws InputError for an unknown palette or field.
-RgbImage draw_picture(const Terrain& terrain, const PictureOptions& options);
+picture::RgbImage draw_picture(const Terrain& terrain, const PictureOptions& options);
 
-}  // namespace erg
+}  // namespace erg::io

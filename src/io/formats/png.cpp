@@ -9,7 +9,11 @@
 #include "core/errors.h"
 #include "io/files/atomic_file.h"
 
-namespace erg {
+namespace erg::io {
+
+using picture::RgbaImage;
+using picture::RgbImage;
+
 namespace {
 
 /// Pixels as PNG has them: rows from the top, samples of 8 or 16 bits in the machine's byte order.
@@ -96,7 +100,7 @@ void write_png(const std::filesystem::path& path, const RgbImage& image, const M
 }
 
 void write_png(const std::filesystem::path& path, const RgbaImage& image, const MetadataEntries& entries) {
-  if (is_opaque(image)) return write_png(path, over(image, {}), entries);
+  if (is_opaque(image)) return write_png(path, picture::over(image, {}), entries);
   write_file_atomically(path, encode_png({image.width, image.height, 8, 4, image.pixels.data()}, entries, path));
 }
 
@@ -114,4 +118,4 @@ void write_run_png(const std::filesystem::path& path, const RgbaImage& image, co
   write_png(path, image, metadata(provenance));
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -12,7 +12,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::io {
 
 // libpng reports an error by jumping back, so nothing in a function that calls setjmp may need a destructor.
 struct PngReader::Library {
@@ -187,4 +187,4 @@ MetadataEntries PngReader::text() const {
 
 MetadataEntries read_png_metadata(const std::filesystem::path& path) { return PngReader(path).text(); }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -11,7 +11,7 @@
 
 #include "io/config/provenance.h"
 
-namespace erg {
+namespace erg::io {
 
 /// How a PNG keeps its colours.
 enum class PngColours { grey, palette, colour };
@@ -67,4 +67,4 @@ class PngReader {
 /// The text chunks of a PNG that stand before its pixels. Throws as PngReader does.
 MetadataEntries read_png_metadata(const std::filesystem::path& path);
 
-}  // namespace erg
+}  // namespace erg::io

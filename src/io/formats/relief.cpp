@@ -8,7 +8,12 @@
 #include "analysis/fourier.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::io {
+
+using analysis::coarse_surface;
+using analysis::CoarseSurface;
+using analysis::Layer;
+
 namespace {
 
 // Slabs are rounded off over this many cells before they are drawn.
@@ -223,4 +228,4 @@ Light light_up(const Relief& relief, const Sun& sun) {
   return light;
 }
 
-}  // namespace erg
+}  // namespace erg::io

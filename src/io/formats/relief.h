@@ -3,7 +3,7 @@
 
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::io {
 
 /// Values at the pixels of a map, row 0 south.
 struct Relief {
@@ -52,4 +52,4 @@ struct Light {
 /// The light on every pixel of the relief.
 Light light_up(const Relief& relief, const Sun& sun);
 
-}  // namespace erg
+}  // namespace erg::io

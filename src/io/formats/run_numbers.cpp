@@ -10,7 +10,13 @@
 #include "forcing/shadow.h"
 #include "sim/step_time.h"
 
-namespace erg {
+namespace erg::io {
+
+using analysis::coarse_surface;
+using analysis::Layer;
+using analysis::Shift;
+using sim::Simulation;
+
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -33,7 +39,7 @@ const std::vector<RunNumber>& run_numbers() {
       {"crest_spacing", "Spacing of crests", "cells", "Mean distance from crest to crest along the wind, counted."},
       {"crest_bearing", "Crests run", "deg",
        "Axis along which crests run, clockwise from north; none where their alignment is below " +
-           exact_text(least_alignment) + "."},
+           exact_text(analysis::least_alignment) + "."},
       {"alignment", "Alignment", "", "How far all crests run one way: 1 all, 0 none."},
       {"migration_x", "Migration eastward", "cells/step", "Motion of the pattern over the last steps."},
       {"migration_y", "Migration northward", "cells/step", "Motion of the pattern over the last steps."},
@@ -67,24 +73,24 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
   migration_.start_anew();
   const Terrain& terrain = simulation.terrain();
   const WindNow wind = simulation.last_wind();
-  const Morphometry shape = measure(terrain);
+  const analysis::Morphometry shape = analysis::measure(terrain);
   const double fall = simulation.model().shadow_fall(terrain.cell_size());
-  const CoarseSurface surface = coarse_surface(terrain, Layer::surface);
-  const SpectrumNumbers spectrum = measure_spectrum(surface);
+  const analysis::CoarseSurface surface = coarse_surface(terrain, Layer::surface);
+  const analysis::SpectrumNumbers spectrum = analysis::measure_spectrum(surface);
   const StepReport& totals = simulation.totals();
   const auto cell_steps =
       static_cast<double>(terrain.extent().cells()) * static_cast<double>(simulation.step_count() - last_step_);
   std::vector<double> row{static_cast<double>(simulation.step_count()),
-                          days_after(simulation.config(), simulation.step_count()),
+                          sim::days_after(simulation.config(), simulation.step_count()),
                           wind.bearing,
                           wind.strength,
                           static_cast<double>(shape.max_slabs),
                           shape.mean_slabs,
                           shape.sd_slabs,
                           shape.bare_fraction,
-                          shadow_fraction(shadow_map(terrain, wind.bearing, fall)),
+                          analysis::shadow_fraction(shadow_map(terrain, wind.bearing, fall)),
                           spectrum.wavelength,
-                          crest_spacing(surface, wind.mean_bearing()),
+                          analysis::crest_spacing(surface, wind.mean_bearing()),
                           spectrum.crest_bearing.value_or(unknown),
                           spectrum.alignment,
                           migration.x,
@@ -100,4 +106,4 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
   return row;
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -8,7 +8,7 @@
 #include "analysis/migration.h"
 #include "sim/simulation.h"
 
-namespace erg {
+namespace erg::io {
 
 /// One number of a run.
 struct RunNumber {
@@ -30,20 +30,20 @@ class RunMeter {
   /// The numbers now, in the order of run_numbers(); not-a-number for what is not known. Lifts, polls and flux are
   /// those since the last taking, migration that since the last taking or glance, if that is at most `longest_look`
   /// steps ago: after more, dunes may stand where others stood before.
-  std::vector<double> take(Simulation& simulation);
+  std::vector<double> take(sim::Simulation& simulation);
   /// Takes note of where the dunes stand, for the migration in the next numbers.
-  void glance(Simulation& simulation);
+  void glance(sim::Simulation& simulation);
   /// Steps before a taking at which a glance is best, where none was taken since: dunes have moved some cells.
   static constexpr std::int64_t good_look = 10;
   static constexpr std::int64_t longest_look = 32;
 
  private:
-  void look(Simulation& simulation);
+  void look(sim::Simulation& simulation);
 
   StepReport last_totals_;
-  MigrationTracker migration_;
+  analysis::MigrationTracker migration_;
   std::int64_t last_look_ = 0;
   std::int64_t last_step_ = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::io

@@ -14,7 +14,7 @@
 #include "io/formats/comments.h"
 #include "io/formats/table_head.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 /// Empty where the number is unknown.
@@ -121,4 +121,4 @@ void TableFile::add(std::span<const double> values) {
   last_ = values.front();
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -10,7 +10,7 @@
 #include "io/config/provenance.h"
 #include "io/files/growing_file.h"
 
-namespace erg {
+namespace erg::io {
 
 /// A whole table as text: what write_table writes.
 std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
@@ -48,4 +48,4 @@ class TableFile {
   double last_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-}  // namespace erg
+}  // namespace erg::io

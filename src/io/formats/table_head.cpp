@@ -7,7 +7,10 @@
 #include "io/config/config_file.h"
 #include "io/files/given_file.h"
 
-namespace erg {
+namespace erg::io {
+
+using sim::Config;
+
 namespace {
 
 /// The entries of a head (comments.h): "# name: text", or "# name:" and the lines of its text.
@@ -44,7 +47,7 @@ std::optional<Config> config_of(const std::map<std::string, std::string>& entrie
 
 /// The first value that is read only at the start and differs.
 std::string first_difference(const Config& theirs, const Config& ours) {
-  for (const ConfigGroup& group : config_groups()) {
+  for (const sim::ConfigGroup& group : sim::config_groups()) {
     const ParameterValues& values = theirs.*group.values;
     for (const Parameter& parameter : values.declared()) {
       if (!parameter.at_start) continue;
@@ -73,4 +76,4 @@ std::string why_another_run(const std::vector<std::string>& head, const Provenan
   return theirs ? first_difference(*theirs, parse_config(provenance.config, "")) : std::string();
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -7,7 +7,7 @@
 
 #include "io/config/provenance.h"
 
-namespace erg {
+namespace erg::io {
 
 /// Why the rows under these comment lines are not of the run of `provenance`, however that run may have been changed on
 /// its way: another model, seed, grid or scene, or another value of what is read only at the start. Empty where nothing
@@ -15,4 +15,4 @@ namespace erg {
 std::string why_another_run(const std::vector<std::string>& head, const Provenance& provenance,
                             const std::filesystem::path& folder);
 
-}  // namespace erg
+}  // namespace erg::io

@@ -10,7 +10,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/raw_bytes.h"
 
-namespace erg {
+namespace erg::io {
 namespace {
 
 // One array of values at the cells' centres, written row by row.
@@ -109,4 +109,4 @@ void write_vti(const std::filesystem::path& path, const Terrain& terrain, const 
   });
 }
 
-}  // namespace erg
+}  // namespace erg::io

@@ -8,7 +8,7 @@
 #include "core/terrain.h"
 #include "io/config/provenance.h"
 
-namespace erg {
+namespace erg::io {
 
 /// Writes VTK XML image data (.vti), one point at each cell's centre, values appended in binary: "surface", "sand" and
 /// "bedrock" in m, "shadow" (1 dark) where a map is given, and every declared field and each of `more` under its key.
@@ -18,4 +18,4 @@ namespace erg {
 void write_vti(const std::filesystem::path& path, const Terrain& terrain, const Grid<std::uint8_t>* shadow,
                const Provenance& provenance, std::span<const Field> more = {});
 
-}  // namespace erg
+}  // namespace erg::io

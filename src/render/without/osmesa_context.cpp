@@ -2,7 +2,7 @@
 #include "core/errors.h"
 #include "render/gl_context.h"
 
-namespace erg {
+namespace erg::render {
 
 bool has_osmesa() { return false; }
 
@@ -11,4 +11,4 @@ std::unique_ptr<GlContext> make_osmesa_context() {
                    "draw with EGL (--context egl), or install libosmesa6-dev and build anew");
 }
 
-}  // namespace erg
+}  // namespace erg::render

@@ -5,7 +5,12 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::ui {
+
+using render::fly;
+using render::LandBox;
+using render::pan;
+
 namespace {
 
 constexpr double degrees_per_height = 180;  // a drag over the whole picture turns the camera half round
@@ -19,7 +24,7 @@ constexpr double nearest = 1e-3;
 
 void LandCamera::choose(const std::string& preset, const LandBox& land, double aspect) {
   if (preset != "frame") {
-    camera_ = camera_preset(preset, land, aspect);
+    camera_ = render::camera_preset(preset, land, aspect);
     return;
   }
   const Eigen::Vector3d middle = land.middle();
@@ -29,15 +34,15 @@ void LandCamera::choose(const std::string& preset, const LandBox& land, double a
 }
 
 bool LandCamera::move(const CameraInput& input, const LandGround& ground, double aspect) {
-  const Camera before = camera_;
+  const picture::Camera before = camera_;
   const LandBox land = ground.box();
-  if (input.orbit) orbit(camera_, -degrees_per_height * input.right, -degrees_per_height * input.up);
-  if (input.look) look_around(camera_, degrees_per_height * input.right, degrees_per_height * input.up);
+  if (input.orbit) render::orbit(camera_, -degrees_per_height * input.right, -degrees_per_height * input.up);
+  if (input.look) render::look_around(camera_, degrees_per_height * input.right, degrees_per_height * input.up);
   if (input.pan) pan(camera_, -input.right, -input.up);
   if (input.wheel != 0) {
     const Eigen::Vector3d middle(camera_.target[0], camera_.target[1], camera_.target[2]);
     const Eigen::Vector3d point = ground.under(camera_, input.cursor, aspect).value_or(middle);
-    zoom(camera_, std::pow(zoom_per_click, input.wheel), point);
+    render::zoom(camera_, std::pow(zoom_per_click, input.wheel), point);
   }
   const double speed = flight * camera_.distance * input.seconds;
   if (input.forwards != 0 && camera_.orthographic) {
@@ -51,7 +56,7 @@ bool LandCamera::move(const CameraInput& input, const LandGround& ground, double
   stay_near(land);
   const double keep = clearance * std::min(land.east, land.north);
   if (!camera_.orthographic) {
-    keep_above(
+    render::keep_above(
         camera_, [&](double east, double north) { return ground.height(east, north); }, keep);
   }
   return camera_ != before;
@@ -66,4 +71,4 @@ void LandCamera::stay_near(const LandBox& land) {
   camera_.target[2] = std::clamp(camera_.target[2], land.low - side, land.high + side);
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -9,27 +9,28 @@
 #include "picture/camera.h"
 #include "render/camera.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// What the camera must know of the land under it.
 class LandGround {
  public:
   virtual ~LandGround() = default;
   /// The block of land, m.
-  virtual LandBox box() const = 0;
+  virtual render::LandBox box() const = 0;
   /// The point of the land that is seen at a place of the picture; none beside the land.
-  virtual std::optional<Eigen::Vector3d> under(const Camera& camera, PicturePoint point, double aspect) const = 0;
+  virtual std::optional<Eigen::Vector3d> under(const picture::Camera& camera, render::PicturePoint point,
+                                               double aspect) const = 0;
   /// Height of the land, m.
   virtual double height(double east, double north) const = 0;
 };
 
 /// What the hand does in one frame. Lengths are shares of the picture's height.
 struct CameraInput {
-  PicturePoint cursor = {};  ///< where the pointer is
-  bool orbit = false;        ///< a drag that turns the camera round its target
-  bool pan = false;          ///< a drag that shifts the land
-  bool look = false;         ///< a drag that turns the view about the eye
-  double right = 0;          ///< how far the pointer went in this frame
+  render::PicturePoint cursor = {};  ///< where the pointer is
+  bool orbit = false;                ///< a drag that turns the camera round its target
+  bool pan = false;                  ///< a drag that shifts the land
+  bool look = false;                 ///< a drag that turns the view about the eye
+  double right = 0;                  ///< how far the pointer went in this frame
   double up = 0;
   double wheel = 0;     ///< clicks of the wheel, positive nearer
   double forwards = 0;  ///< flying keys: -1, 0 or 1
@@ -41,17 +42,17 @@ struct CameraInput {
 /// Keeps a camera above the ground and within reach of the land while it is moved.
 class LandCamera {
  public:
-  const Camera& camera() const { return camera_; }
-  void set(const Camera& camera) { camera_ = camera; }
+  const picture::Camera& camera() const { return camera_; }
+  void set(const picture::Camera& camera) { camera_ = camera; }
   /// One of render's presets, or the whole land in sight from where one looks now ("frame").
-  void choose(const std::string& preset, const LandBox& land, double aspect);
+  void choose(const std::string& preset, const render::LandBox& land, double aspect);
   /// Moves it. True when it moved.
   bool move(const CameraInput& input, const LandGround& ground, double aspect);
 
  private:
-  void stay_near(const LandBox& land);
+  void stay_near(const render::LandBox& land);
 
-  Camera camera_;
+  picture::Camera camera_;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

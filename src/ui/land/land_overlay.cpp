@@ -9,7 +9,10 @@
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/gui.h"
 
-namespace erg {
+namespace erg::ui {
+
+using picture::Camera;
+
 namespace {
 
 constexpr float margin = 12;  // pixels at scale 1, from the edges of the land
@@ -44,13 +47,13 @@ void draw_arrow(ImVec2 middle, ImVec2 way, float length, ImU32 colour) {
 std::optional<ImVec2> to_window(const Eigen::Vector3d& point, const Camera& camera, const WindowPart& part) {
   const double reach = 1e6;  // depth does not matter here
   const Eigen::Vector4d clip =
-      projection_matrix(camera, part.aspect(), reach) * view_matrix(camera) * point.homogeneous();
+      render::projection_matrix(camera, part.aspect(), reach) * render::view_matrix(camera) * point.homogeneous();
   if (!(clip.w() > 1e-9)) return std::nullopt;
   return ImVec2(static_cast<float>(part.left + 0.5 * (clip.x() / clip.w() + 1) * part.width),
                 static_cast<float>(part.top + 0.5 * (1 - clip.y() / clip.w()) * part.height));
 }
 
-PicturePoint to_picture(ImVec2 pixel, const WindowPart& part) {
+render::PicturePoint to_picture(ImVec2 pixel, const WindowPart& part) {
   return {2.0 * (pixel.x - part.left) / part.width - 1, 1 - 2.0 * (pixel.y - part.top) / part.height};
 }
 
@@ -66,7 +69,7 @@ void draw_plate(ImVec2 low_left, const std::string& text, const ImVec4& colour) 
   list.AddText({corner.x + pad, corner.y + 0.5f * pad}, ImGui::GetColorU32(colour), text.c_str());
 }
 
-void draw_legend(const LandPart& land, const Look& look) {
+void draw_legend(const LandPart& land, const render::Look& look) {
   if (look.is_material() && look.contours == 0) return;
   const Gui& gui = Gui::current();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -77,7 +80,7 @@ void draw_legend(const LandPart& land, const Look& look) {
                gui.theme().text);
     return;
   }
-  const ValueScale scale = value_scale(look, view_of_run(*land.run));
+  const render::ValueScale scale = render::value_scale(look, view_of_run(*land.run));
   const float bar = gui.px(14);
   const float high = std::min(gui.px(180), 0.4f * static_cast<float>(land.part.height));
   const float line = ImGui::GetFontSize();
@@ -90,7 +93,7 @@ void draw_legend(const LandPart& land, const Look& look) {
   const float top = inner.y + 1.5f * line;
   constexpr int parts = 48;
   for (int part = 0; part < parts; ++part) {
-    const Colour at = scale.palette.at(1 - (part + 0.5) / parts);
+    const picture::Colour at = scale.palette.at(1 - (part + 0.5) / parts);
     list.AddRectFilled({inner.x, top + high * static_cast<float>(part) / parts},
                        {inner.x + bar, top + high * static_cast<float>(part + 1) / parts},
                        ImGui::GetColorU32(ImVec4(at.red, at.green, at.blue, 1)));
@@ -155,4 +158,4 @@ void draw_marks(const LandPart& land, const Camera& camera, double exaggeration,
   }
 }
 
-}  // namespace erg
+}  // namespace erg::ui

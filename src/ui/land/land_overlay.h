@@ -13,27 +13,28 @@
 #include "ui/land/land_view.h"
 #include "ui/panels/panel.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// One run's part of the window with what is seen in it.
 struct LandPart {
   WindowPart part;
-  const RunSnapshot* run = nullptr;
+  const session::RunSnapshot* run = nullptr;
   const LandGround* ground = nullptr;  ///< null until it has been drawn once
 };
 
 /// The place in the picture of a point of the land as pixels of the window; none behind the camera.
-std::optional<ImVec2> to_window(const Eigen::Vector3d& point, const Camera& camera, const WindowPart& part);
+std::optional<ImVec2> to_window(const Eigen::Vector3d& point, const picture::Camera& camera, const WindowPart& part);
 /// The place of a pixel in the picture.
-PicturePoint to_picture(ImVec2 pixel, const WindowPart& part);
+render::PicturePoint to_picture(ImVec2 pixel, const WindowPart& part);
 
 /// The legend of what a look shows, at the left edge. Nothing for materials without contour lines.
-void draw_legend(const LandPart& land, const Look& look);
+void draw_legend(const LandPart& land, const render::Look& look);
 /// The wind's arrow and north, in the upper right corner, turned as the camera is.
-void draw_wind_rose(const LandPart& land, const Camera& camera);
+void draw_wind_rose(const LandPart& land, const picture::Camera& camera);
 /// Lines on the ground.
-void draw_marks(const LandPart& land, const Camera& camera, double exaggeration, const std::vector<LandMark>& marks);
+void draw_marks(const LandPart& land, const picture::Camera& camera, double exaggeration,
+                const std::vector<LandMark>& marks);
 /// A line of text on a plate, its lower left corner at a point.
 void draw_plate(ImVec2 low_left, const std::string& text, const ImVec4& colour);
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -7,7 +7,17 @@
 #include "render/gl.h"
 #include "render/textures.h"
 
-namespace erg {
+namespace erg::ui {
+
+using picture::Camera;
+using render::LandBox;
+using render::Look;
+using render::RenderEffort;
+using render::Renderer;
+using render::TerrainView;
+using session::RunSnapshot;
+using session::Snapshot;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -39,7 +49,7 @@ TerrainView view_of_run(const RunSnapshot& run) {
 // One run's picture, what it shows, and the ground that it shows.
 struct LandView::Pane final : LandGround {
   Renderer renderer;
-  PictureTarget target;
+  render::PictureTarget target;
   WindowPart part;
   std::vector<std::string> notes;
   // What was drawn last.
@@ -67,7 +77,7 @@ struct LandView::Pane final : LandGround {
   LandBox land;
 
   LandBox box() const override { return land; }
-  std::optional<Eigen::Vector3d> under(const Camera& from, PicturePoint point, double aspect) const override {
+  std::optional<Eigen::Vector3d> under(const Camera& from, render::PicturePoint point, double aspect) const override {
     return renderer.land_under(from, point, aspect);
   }
   double height(double east, double north) const override { return renderer.ground_height(east, north); }
@@ -158,7 +168,7 @@ void LandView::show(const Pane& pane, int window_height) const {
   const int low = window_height - part.top - part.height;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, pane.target.frame());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  gl11().Disable(GL_SCISSOR_TEST);
+  render::gl11().Disable(GL_SCISSOR_TEST);
   glBlitFramebuffer(0, 0, pane.scale * part.width, pane.scale * part.height, part.left, low, part.left + part.width,
                     low + part.height, GL_COLOR_BUFFER_BIT, pane.scale == 1 ? GL_NEAREST : GL_LINEAR);
 }
@@ -189,9 +199,10 @@ bool LandView::unfinished() const {
 
 const LandGround* LandView::ground(std::size_t run) const { return run < panes_.size() ? panes_[run].get() : nullptr; }
 
-Picture LandView::picture(const RunSnapshot& run, const Look& look, const Camera& camera, const PictureSize& size) {
+render::Picture LandView::picture(const RunSnapshot& run, const Look& look, const Camera& camera,
+                                  const render::PictureSize& size) {
   Renderer renderer;
   return renderer.draw(view_of_run(run), look, camera, size);
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -14,10 +14,10 @@
 #include "ui/land/land_camera.h"
 #include "ui/land/still_painter.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// The view of a run for the renderer. `snapshot_run` must outlive it.
-TerrainView view_of_run(const RunSnapshot& snapshot_run);
+render::TerrainView view_of_run(const session::RunSnapshot& snapshot_run);
 
 /// A part of the window, pixels from its left upper corner.
 struct WindowPart {
@@ -41,8 +41,9 @@ class LandView {
 
   /// Draws the runs of a snapshot, each into its part of the window's frame buffer, whose height is given. `restless`:
   /// the camera is being moved. Returns what a person should know.
-  std::vector<std::string> draw(const Snapshot& snapshot, const Look& look, const Camera& camera,
-                                const std::vector<WindowPart>& parts, int window_height, bool restless);
+  std::vector<std::string> draw(const session::Snapshot& snapshot, const render::Look& look,
+                                const picture::Camera& camera, const std::vector<WindowPart>& parts, int window_height,
+                                bool restless);
 
   /// A picture is still coarser than it will be, and the next frame can do something about it.
   bool unfinished() const;
@@ -51,14 +52,17 @@ class LandView {
   const LandGround* ground(std::size_t run) const;
 
   /// Draws a run with all there is.
-  Picture picture(const RunSnapshot& run, const Look& look, const Camera& camera, const PictureSize& size);
+  render::Picture picture(const session::RunSnapshot& run, const render::Look& look, const picture::Camera& camera,
+                          const render::PictureSize& size);
 
  private:
   struct Pane;
-  void draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless);
-  void paint(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool fine);
-  void refine(const Snapshot& snapshot, const Look& look, const Camera& camera);
-  void order_stills(const Snapshot& snapshot, const Look& look, const Camera& camera);
+  void draw_pane(Pane& pane, const session::RunSnapshot& run, const render::Look& look, const picture::Camera& camera,
+                 bool restless);
+  void paint(Pane& pane, const session::RunSnapshot& run, const render::Look& look, const picture::Camera& camera,
+             bool fine);
+  void refine(const session::Snapshot& snapshot, const render::Look& look, const picture::Camera& camera);
+  void order_stills(const session::Snapshot& snapshot, const render::Look& look, const picture::Camera& camera);
   bool take_stills(std::vector<StillPicture> pictures);
   bool rested() const;
   void show(const Pane& pane, int window_height) const;
@@ -68,4 +72,4 @@ class LandView {
   std::vector<std::unique_ptr<Pane>> panes_;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

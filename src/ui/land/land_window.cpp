@@ -6,7 +6,12 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Activity;
+using session::SetupDifference;
+using session::Snapshot;
+
 namespace {
 
 constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -52,7 +57,7 @@ void centred(const std::string& text, const ImVec4& colour) {
 }
 
 /// Number and model of a run that is compared, and the first thing in which it differs from the others.
-std::string caption(const Config& config, const std::vector<SetupDifference>& differences, std::size_t run) {
+std::string caption(const sim::Config& config, const std::vector<SetupDifference>& differences, std::size_t run) {
   std::string text = std::to_string(run + 1) + "  " + find_model(config.model).info.title;
   const auto first = std::ranges::find_if(differences, [](const SetupDifference& one) { return one.name != "model"; });
   if (first != differences.end() && run < first->values.size()) text += "\n" + first->label + " " + first->values[run];
@@ -81,7 +86,7 @@ void LandWindow::take_wanted_view(const Snapshot& now, const std::vector<LandPar
   extent_ = extent;
   creations_ = now.creations;
   if (scenery_.wanted_view.empty()) return;
-  const LandBox box = Renderer::land_of(view_of_run(*lands.front().run), scenery_.look);
+  const render::LandBox box = render::Renderer::land_of(view_of_run(*lands.front().run), scenery_.look);
   scenery_.camera.choose(scenery_.wanted_view, box, lands.front().part.aspect());
   scenery_.wanted_view.clear();
 }
@@ -133,14 +138,14 @@ void LandWindow::take_input(Desk& desk, WindowPart area) {
 
 void LandWindow::point(Desk& desk, const LandPart& land, bool hovered) {
   if (!hovered && !active_) return;
-  const PicturePoint place = to_picture(ImGui::GetIO().MousePos, land.part);
+  const render::PicturePoint place = to_picture(ImGui::GetIO().MousePos, land.part);
   const auto seen = land.ground->under(scenery_.camera.camera(), place, land.part.aspect());
   const Terrain& terrain = *land.run->terrain;
   if (seen) {
     const auto cell = [&](double metres, int count) {
       return std::clamp(static_cast<int>(std::floor(metres / terrain.cell_size())), 0, count - 1);
     };
-    desk.land.cell = CellPlace{cell(seen->x(), terrain.nx()), cell(seen->y(), terrain.ny())};
+    desk.land.cell = session::CellPlace{cell(seen->x(), terrain.nx()), cell(seen->y(), terrain.ny())};
   }
   if (tool_ == LandTool::camera || ImGui::GetIO().KeyCtrl) return;
   desk.land.pressed = seen.has_value() && hovered && ImGui::IsMouseClicked(0);
@@ -183,7 +188,7 @@ void LandWindow::draw_over(Desk& desk) {
 }
 
 void LandWindow::draw_lands(const Desk& desk, const std::vector<LandPart>& all) const {
-  const Camera& camera = scenery_.camera.camera();
+  const picture::Camera& camera = scenery_.camera.camera();
   for (const LandPart& land : all) {
     const ImVec2 corner = corner_of(land.part);
     const ImVec2 size = size_of(land.part);
@@ -205,7 +210,7 @@ void LandWindow::draw_reading(const Desk& desk, const LandPart& land) const {
   const Gui& gui = Gui::current();
   const ImVec2 place{static_cast<float>(land.part.left) + gui.px(12),
                      static_cast<float>(land.part.top + land.part.height) - gui.px(12)};
-  draw_plate(place, read_cell(terrain, *desk.land.cell).text(), gui.theme().text);
+  draw_plate(place, session::read_cell(terrain, *desk.land.cell).text(), gui.theme().text);
   mark("reading", {place.x, place.y - gui.px(20)}, {place.x + gui.px(200), place.y});
 }
 
@@ -267,4 +272,4 @@ void LandWindow::draw_empty(Desk& desk) const {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -10,7 +10,7 @@
 #include "ui/land/scenery.h"
 #include "ui/panels/panel.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// The ground of a run as it is on the screen; null before it was drawn.
 using GroundOfRun = std::function<const LandGround*(std::size_t run)>;
@@ -34,8 +34,8 @@ class LandWindow {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  std::vector<LandPart> lands(const Snapshot& now) const;
-  void take_wanted_view(const Snapshot& now, const std::vector<LandPart>& lands);
+  std::vector<LandPart> lands(const session::Snapshot& now) const;
+  void take_wanted_view(const session::Snapshot& now, const std::vector<LandPart>& lands);
   void move_camera(const Desk& desk, const LandPart& land, bool hovered);
   void point(Desk& desk, const LandPart& land, bool hovered);
   void draw_lands(const Desk& desk, const std::vector<LandPart>& lands) const;
@@ -57,4 +57,4 @@ class LandWindow {
   LandTool tool_ = LandTool::camera;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

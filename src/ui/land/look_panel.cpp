@@ -11,7 +11,14 @@
 #include "ui/land/land_view.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using picture::find_palette;
+using picture::palette_names;
+using render::Look;
+using session::Log;
+using session::Snapshot;
+
 namespace {
 
 constexpr float dial_side = 92;  // pixels at scale 1
@@ -21,11 +28,11 @@ constexpr int to_the_horizon = 6;  // rings of copies
 constexpr const char* own_palette = "own";
 
 // A strip of a palette's colours.
-void draw_palette(const Palette& palette, ImVec2 low, ImVec2 high) {
+void draw_palette(const picture::Palette& palette, ImVec2 low, ImVec2 high) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   constexpr int parts = 24;
   const auto colour = [&](int part) {
-    const Colour at = palette.at(static_cast<double>(part) / parts);
+    const picture::Colour at = palette.at(static_cast<double>(part) / parts);
     return ImGui::GetColorU32(ImVec4(at.red, at.green, at.blue, 1));
   };
   for (int part = 0; part < parts; ++part) {
@@ -263,7 +270,7 @@ void LookPanel::draw_extras(const Desk& desk) {
 
 std::vector<LookChoice> look_choices(const Snapshot& now, std::size_t run) {
   std::vector<LookChoice> choices;
-  for (const std::string& key : standard_looks()) choices.push_back({key, key});
+  for (const std::string& key : render::standard_looks()) choices.push_back({key, key});
   choices.push_back({"shadow", "wind shadow"});
   choices.push_back({"flux", "flux"});
   if (run < now.runs.size()) {
@@ -276,4 +283,4 @@ std::unique_ptr<Panel> make_look_panel(Scenery& scenery, Bookmarks& bookmarks) {
   return std::make_unique<LookPanel>(scenery, bookmarks);
 }
 
-}  // namespace erg
+}  // namespace erg::ui

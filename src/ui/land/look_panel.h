@@ -6,7 +6,7 @@
 #include "ui/land/scenery.h"
 #include "ui/panels/panel.h"
 
-namespace erg {
+namespace erg::ui {
 
 inline constexpr const char* look_title = "LOOK";
 
@@ -19,6 +19,6 @@ struct LookChoice {
   std::string label;
 };
 /// Those of run number `run` of a snapshot; where there is no such run, those that every land has.
-std::vector<LookChoice> look_choices(const Snapshot& now, std::size_t run);
+std::vector<LookChoice> look_choices(const session::Snapshot& now, std::size_t run);
 
-}  // namespace erg
+}  // namespace erg::ui

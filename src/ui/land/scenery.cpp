@@ -5,7 +5,7 @@
 #include "core/errors.h"
 #include "io/formats/camera_file.h"
 
-namespace erg {
+namespace erg::ui {
 
 namespace fs = std::filesystem;
 
@@ -14,7 +14,7 @@ Bookmarks::Bookmarks(fs::path folder) : folder_(std::move(folder)) {
   for (const auto& entry : fs::directory_iterator(folder_, error)) {
     if (entry.path().extension() != ".json") continue;
     try {
-      entries_.push_back({entry.path().stem().string(), read_camera(entry.path())});
+      entries_.push_back({entry.path().stem().string(), io::read_camera(entry.path())});
     } catch (const InputError&) {
       // A file that is no camera is no bookmark.
     }
@@ -37,13 +37,13 @@ bool Bookmarks::has(const std::string& name) const {
   return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.name == plain(name); });
 }
 
-void Bookmarks::keep(const std::string& wanted, const Camera& camera) {
+void Bookmarks::keep(const std::string& wanted, const picture::Camera& camera) {
   std::string name = plain(wanted);
   if (name.empty()) name = free_name();
   if (!folder_.empty()) {
     std::error_code error;
     fs::create_directories(folder_, error);
-    write_camera(path_of(name), camera);
+    io::write_camera(path_of(name), camera);
   }
   const auto same = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
   if (same != entries_.end()) {
@@ -66,4 +66,4 @@ std::string Bookmarks::free_name() const {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -9,11 +9,11 @@
 #include "render/look.h"
 #include "ui/land/land_camera.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// The part of the window's state that only the eye cares about.
 struct Scenery {
-  Look look;
+  render::Look look;
   LandCamera camera;
   bool legend = true;  ///< legend, wind arrow and north over the land
   /// A preset to take up as soon as the land's extent is known; "" when the camera is where it should be.
@@ -42,11 +42,11 @@ class Bookmarks {
   /// One of them.
   struct Entry {
     std::string name;
-    Camera camera;
+    picture::Camera camera;
   };
   const std::vector<Entry>& entries() const { return entries_; }
   /// Adds or replaces; without a name it gets free_name(). Throws InputError when it cannot be written.
-  void keep(const std::string& name, const Camera& camera);
+  void keep(const std::string& name, const picture::Camera& camera);
   bool has(const std::string& name) const;
   void remove(const std::string& name);
   /// "view 1", "view 2" ...: the first that is free.
@@ -62,4 +62,4 @@ class Bookmarks {
   std::vector<Entry> entries_;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

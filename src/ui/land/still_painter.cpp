@@ -10,7 +10,10 @@
 #include "render/textures.h"
 #include "ui/land/land_view.h"
 
-namespace erg {
+namespace erg::ui {
+
+using render::Renderer;
+
 namespace {
 
 /// One renderer for each run, which keeps what did not change from picture to picture.
@@ -35,7 +38,7 @@ class Easel {
 
  private:
   std::vector<std::unique_ptr<Renderer>> renderers_;
-  PictureTarget target_;
+  render::PictureTarget target_;
 };
 
 }  // namespace
@@ -77,9 +80,9 @@ void StillPainter::work() {
   // Threads that the driver starts from here inherit it: under Linux a priority is a thread's own.
   constexpr int politeness = 10;
   setpriority(PRIO_PROCESS, 0, politeness);
-  std::unique_ptr<GlContext> context;
+  std::unique_ptr<render::GlContext> context;
   try {
-    context = make_egl_context();
+    context = render::make_egl_context();
   } catch (const std::exception&) {
     // Without one the window draws its still pictures itself.
   }
@@ -114,4 +117,4 @@ void StillPainter::draw_orders() {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::ui

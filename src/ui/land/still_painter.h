@@ -16,19 +16,19 @@
 #include "render/look.h"
 #include "session/snapshot.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// What is to be drawn: every run with one look, from one camera.
 struct StillOrder {
   struct Part {
-    RunSnapshot run;
+    session::RunSnapshot run;
     int width = 1;  ///< pixels
     int height = 1;
   };
   std::vector<Part> parts;
-  Look look;
-  Camera camera;
-  RenderEffort effort;
+  render::Look look;
+  picture::Camera camera;
+  render::RenderEffort effort;
 };
 
 /// A run as it was drawn: red, green, blue, opacity, rows from below.
@@ -74,4 +74,4 @@ class StillPainter {
   std::thread thread_;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

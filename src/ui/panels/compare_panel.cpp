@@ -7,7 +7,13 @@
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Comparison;
+using session::SetupDifference;
+using session::Snapshot;
+using session::Studio;
+
 namespace {
 
 constexpr ImGuiTableFlags table_flags =
@@ -54,7 +60,7 @@ void ComparePanel::draw_runs(Desk& desk) {
                                                .look = ButtonLook::quiet});
     mark("remove " + number);
     ImGui::SameLine();
-    const Config& config = comparison.setup(run).config();
+    const sim::Config& config = comparison.setup(run).config();
     ImGui::Text("%s, %lld x %lld, seed %lld", comparison.setup(run).model().info.title.c_str(),
                 static_cast<long long>(config.grid.integer("nx")), static_cast<long long>(config.grid.integer("ny")),
                 static_cast<long long>(config.run.integer("seed")));
@@ -65,13 +71,13 @@ void ComparePanel::draw_runs(Desk& desk) {
   }
   if (button("ADD A COPY",
              {.tooltip = "One more run like the one being edited, with the next seed. Change it in SETUP.",
-              .unavailable = comparison.size() == most_runs ? "Four runs are the most." : ""})) {
+              .unavailable = comparison.size() == session::most_runs ? "Four runs are the most." : ""})) {
     if (const auto added = comparison.add_copy_of(studio.active())) studio.set_active(*added);
   }
   ImGui::SameLine();
   if (button("CREATE", {.tooltip = "Makes the terrains of all runs.",
                         .look = studio.create_needed() ? ButtonLook::accent : ButtonLook::plain})) {
-    desk.leave("CREATE", Leaves::land, [&studio] { studio.create(); });
+    desk.leave("CREATE", session::Leaves::land, [&studio] { studio.create(); });
   }
 }
 
@@ -104,7 +110,7 @@ void ComparePanel::draw_numbers(const Snapshot& now) {
     return;
   }
   if (!begin_table("numbers", now.runs.size())) return;
-  for (const ComparedNumber& number : compared_numbers(now)) {
+  for (const session::ComparedNumber& number : session::compared_numbers(now)) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(number.number.label.c_str());
     if (!number.number.unit.empty()) {
@@ -131,4 +137,4 @@ void ComparePanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_compare_panel() { return std::make_unique<ComparePanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -4,7 +4,12 @@
 #include "ui/widgets/file_browser.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Export;
+using session::export_formats;
+using session::ExportFormat;
+
 namespace {
 
 class ExportPanel final : public Panel {
@@ -56,7 +61,7 @@ void ExportPanel::draw_export(Export& running) {
 }
 
 void ExportPanel::draw(Desk& desk) {
-  Studio& studio = desk.studio;
+  session::Studio& studio = desk.studio;
   if (!studio.now().has_runs()) {
     explain("There is nothing to export yet. Open a preset from the gallery, or press CREATE.");
     return;
@@ -81,4 +86,4 @@ void ExportPanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_export_panel() { return std::make_unique<ExportPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

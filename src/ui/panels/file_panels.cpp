@@ -4,7 +4,7 @@
 #include "ui/widgets/file_browser.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 class OpenPanel final : public Panel {
@@ -15,7 +15,7 @@ class OpenPanel final : public Panel {
   void draw(Desk& desk) override {
     const auto file = browser_.draw(desk.studio);
     if (file) {
-      desk.leave("OPEN", Leaves::everything, [&desk, path = *file] {
+      desk.leave("OPEN", session::Leaves::everything, [&desk, path = *file] {
         if (!desk.studio.open_and_play(path)) desk.open(panel_title::log);  // it says what is wrong with the file
       });
     }
@@ -48,4 +48,4 @@ class SavePanel final : public Panel {
 std::unique_ptr<Panel> make_open_panel() { return std::make_unique<OpenPanel>(); }
 std::unique_ptr<Panel> make_save_panel() { return std::make_unique<SavePanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -11,7 +11,11 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using io::Preset;
+using session::Studio;
+
 namespace {
 
 // At scale 1, pixels.
@@ -30,11 +34,11 @@ struct Card {
 };
 
 Card card_of(const Preset& preset, const std::filesystem::path& folder) {
-  Card card{preset, preset_picture(folder, preset.name), preset.name, "", "", ""};
+  Card card{preset, io::preset_picture(folder, preset.name), preset.name, "", "", ""};
   const std::size_t slash = preset.name.find('/');
   if (slash != std::string::npos) card.folder = preset.name.substr(0, slash);
   try {
-    const Config config = read_config(preset.path);
+    const sim::Config config = io::read_config(preset.path);
     if (!config.title.empty()) card.title = config.title;
     card.description = config.description;
     card.model = find_model(config.model).info.title;
@@ -63,7 +67,7 @@ class GalleryPanel final : public Panel {
 void GalleryPanel::read_cards(const Studio& studio) {
   read_ = true;
   const std::filesystem::path& folder = studio.folders().presets;
-  for (const Preset& preset : list_presets(folder)) cards_.push_back(card_of(preset, folder));
+  for (const Preset& preset : io::list_presets(folder)) cards_.push_back(card_of(preset, folder));
 }
 
 /// The picture, or where there is none the name of the model in its place.
@@ -140,7 +144,7 @@ void GalleryPanel::draw_cards(Desk& desk, const std::string& folder) {
     if (column > 0) ImGui::SameLine(0, gui.px(card_gap));
     column = (column + 1) % columns;
     if (draw_card(desk, card)) {
-      desk.leave("OPEN", Leaves::everything, [&desk, path = card.preset.path] { grow(desk, path); });
+      desk.leave("OPEN", session::Leaves::everything, [&desk, path = card.preset.path] { grow(desk, path); });
     }
     if (column == 0) ImGui::Dummy({1, gui.px(card_gap - 8)});
   }
@@ -171,4 +175,4 @@ void GalleryPanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_gallery_panel() { return std::make_unique<GalleryPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -3,7 +3,7 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 /// The keys of one menu; `first` is the place of its first in the list. Returns the place behind its last.
@@ -62,4 +62,4 @@ class AboutPanel final : public Panel {
 std::unique_ptr<Panel> make_keys_panel() { return std::make_unique<KeysPanel>(); }
 std::unique_ptr<Panel> make_about_panel() { return std::make_unique<AboutPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -5,7 +5,12 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Log;
+using session::LogLevel;
+using session::LogLine;
+
 namespace {
 
 class LogPanel final : public Panel {
@@ -83,4 +88,4 @@ void LogPanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_log_panel() { return std::make_unique<LogPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -11,7 +11,15 @@
 #include "ui/widgets/plot.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using io::run_numbers;
+using io::RunNumber;
+using session::Histogram;
+using session::RunSnapshot;
+using session::Snapshot;
+using session::Studio;
+
 namespace {
 
 constexpr std::size_t most_plots = 6;
@@ -22,9 +30,10 @@ struct Spread {
   Histogram (*measure)(const Terrain&);
 };
 constexpr std::array<Spread, 3> spreads{
-    Spread{"slopes", "slope, degrees", [](const Terrain& terrain) { return slope_histogram(terrain); }},
-    Spread{"heights", "height, m", [](const Terrain& terrain) { return height_histogram(terrain); }},
-    Spread{"thickness", "thickness, slabs", [](const Terrain& terrain) { return thickness_histogram(terrain); }},
+    Spread{"slopes", "slope, degrees", [](const Terrain& terrain) { return session::slope_histogram(terrain); }},
+    Spread{"heights", "height, m", [](const Terrain& terrain) { return session::height_histogram(terrain); }},
+    Spread{"thickness", "thickness, slabs",
+           [](const Terrain& terrain) { return session::thickness_histogram(terrain); }},
 };
 
 /// "height, m".
@@ -135,7 +144,7 @@ void NumbersPanel::save(Studio& studio) {
   if (const auto file = series_file_.draw(studio)) studio.start_export(*file, "csv");
   if (const auto file = histogram_file_.draw(studio)) {
     try {
-      write_histogram(*file, histogram_, spreads[spread_].quantity, studio.provenance());
+      session::write_histogram(*file, histogram_, spreads[spread_].quantity, studio.provenance());
       studio.log().information("saved " + file->string());
     } catch (const InputError& error) {
       studio.log().mistakes(error);
@@ -159,4 +168,4 @@ void NumbersPanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_numbers_panel() { return std::make_unique<NumbersPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

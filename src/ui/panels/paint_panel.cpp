@@ -10,7 +10,12 @@
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::BrushMaterial;
+using session::RunSnapshot;
+using session::Studio;
+
 namespace {
 
 constexpr double most_slabs = 1000;  // of one touch
@@ -145,7 +150,7 @@ void PaintPanel::draw_amount(const Terrain& terrain) {
 }
 
 void PaintPanel::draw_undo(Studio& studio) {
-  const Snapshot& now = studio.now();
+  const session::Snapshot& now = studio.now();
   const auto count_text = [](std::size_t count, const char* what) {
     return std::to_string(count) + (count == 1 ? " edit can be " : " edits can be ") + what + ".";
   };
@@ -196,7 +201,7 @@ void PaintPanel::stroke(Desk& desk) {
 void PaintPanel::put_dab(Studio& studio, double x, double y) const {
   const Terrain& terrain = *studio.active_run()->terrain;
   const auto slabs = static_cast<std::int32_t>(std::lround(amount(terrain) / terrain.quantum()));
-  Dab dab;
+  session::Dab dab;
   dab.material = material_;
   dab.x = x;
   dab.y = y;
@@ -245,4 +250,4 @@ void PaintPanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_paint_panel() { return std::make_unique<PaintPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

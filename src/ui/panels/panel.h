@@ -16,7 +16,7 @@
 
 #include "session/studio.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// What the left mouse button does on the land.
 enum class LandTool {
@@ -27,9 +27,9 @@ enum class LandTool {
 
 /// The pointer on the land in this frame.
 struct LandPointer {
-  std::optional<CellPlace> cell;  ///< under the pointer; none beside the land or over a panel
-  bool pressed = false;           ///< the left button went down on `cell` in this frame, with a tool other than camera
-  bool held = false;              ///< it is down since
+  std::optional<session::CellPlace> cell;  ///< under the pointer; none beside the land or over a panel
+  bool pressed = false;  ///< the left button went down on `cell` in this frame, with a tool other than camera
+  bool held = false;     ///< it is down since
 };
 
 /// A line of markings that a panel wants to see over the land: the cross-section, the brush's rim.
@@ -48,7 +48,7 @@ struct KeyHelp {
 
 /// What a panel may use in a frame.
 struct Desk {
-  Studio& studio;
+  session::Studio& studio;
   LandPointer land;
   /// Set by panels while they are drawn; the window acts on it after the frame.
   LandTool tool = LandTool::camera;
@@ -58,7 +58,7 @@ struct Desk {
   std::function<void(const std::string& title)> close;
   /// Does `act`, which leaves behind what is open; where work would be lost, only once the person has answered what is
   /// to become of it. `what` stands on the button that does it all the same: "QUIT". The desk outlives the question.
-  std::function<void(const std::string& what, Leaves leaves, std::function<void()> act)> leave;
+  std::function<void(const std::string& what, session::Leaves leaves, std::function<void()> act)> leave;
   /// A picture for ImGui::Image: the PNG or JPEG at `path`, loaded once; null when it cannot be read, and in tests.
   std::function<ImTextureID(const std::filesystem::path& path)> picture;
   /// Every key and mouse movement of the window, from the one table that the menus are made of.
@@ -95,4 +95,4 @@ class Panel {
   Panel() = default;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -1,6 +1,6 @@
 #include "ui/panels/panels.h"
 
-namespace erg {
+namespace erg::ui {
 
 std::vector<std::unique_ptr<Panel>> make_panels() {
   using Maker = std::unique_ptr<Panel> (*)();
@@ -13,4 +13,4 @@ std::vector<std::unique_ptr<Panel>> make_panels() {
   return panels;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

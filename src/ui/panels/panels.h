@@ -6,7 +6,7 @@
 
 #include "ui/panels/panel.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// Titles of the panels that menus and keys open with Desk::open.
 namespace panel_title {
@@ -47,4 +47,4 @@ std::unique_ptr<Panel> make_recovery_panel();
 /// All of them.
 std::vector<std::unique_ptr<Panel>> make_panels();
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -5,7 +5,7 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 void recover(Desk& desk, const std::filesystem::path& folder) {
@@ -30,7 +30,7 @@ class RecoveryPanel final : public Panel {
 };
 
 bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
-  const LostSession lost = desk.studio.lost_sessions()[index];
+  const session::LostSession lost = desk.studio.lost_sessions()[index];
   const WidgetScope scope("session " + std::to_string(index + 1));
   ImGui::Separator();
   say(lost.title.empty() ? "Untitled" : lost.title, Gui::current().theme().text);
@@ -39,7 +39,7 @@ bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
   explain(step + runs + ", saved " + lost.saved_at);
   if (button("RECOVER", {.tooltip = "Goes on from there, paused.", .look = ButtonLook::accent})) {
     // A question may come first, and the list be another when it is answered.
-    desk.leave("RECOVER", Leaves::everything, [&desk, folder = lost.folder] { recover(desk, folder); });
+    desk.leave("RECOVER", session::Leaves::everything, [&desk, folder = lost.folder] { recover(desk, folder); });
     return true;
   }
   ImGui::SameLine();
@@ -65,4 +65,4 @@ void RecoveryPanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_recovery_panel() { return std::make_unique<RecoveryPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

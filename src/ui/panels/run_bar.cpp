@@ -8,7 +8,13 @@
 #include "ui/widgets/typed_number.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Activity;
+using session::LogLevel;
+using session::Snapshot;
+using session::Studio;
+
 namespace {
 
 // Stops of the speed slider in steps a second; 0: unlimited.
@@ -57,7 +63,7 @@ void status_item(const std::string& name, const std::string& text, const ImVec4&
   ImGui::SameLine(0, Gui::current().px(20));
 }
 
-bool draw_log_item(const Log& log) {
+bool draw_log_item(const session::Log& log) {
   const Theme& theme = Gui::current().theme();
   const std::size_t errors = log.count(LogLevel::error);
   const std::size_t warnings = log.count(LogLevel::warning);
@@ -93,7 +99,7 @@ std::string why_no_step(const Snapshot& now) {
   }
 }
 
-void play_or_pause(Runner& runner, const Snapshot& now) {
+void play_or_pause(session::Runner& runner, const Snapshot& now) {
   if (now.activity == Activity::running) {
     runner.pause();
   } else if (why_no_step(now).empty()) {
@@ -185,7 +191,7 @@ void RunBar::draw_progress(const Snapshot& now) const {
     mark("clock");
     return;
   }
-  std::string clock = clock_text(*now.runs.front().config, now.step());
+  std::string clock = session::clock_text(*now.runs.front().config, now.step());
   ImGui::AlignTextToFramePadding();
   if (now.goal < 0) {
     ImGui::TextUnformatted(clock.c_str());
@@ -208,7 +214,7 @@ bool draw_status(Studio& studio, float frames_per_second, const std::vector<std:
   std::string state = to_string(now.activity);
   if (!now.message.empty()) state += ": " + now.message;
   status_item("state", state, colour_of(now.activity, theme), "What the simulation is doing");
-  if (const RunSnapshot* const run = studio.active_run()) {
+  if (const session::RunSnapshot* const run = studio.active_run()) {
     if (now.activity == Activity::running) {
       status_item("steps", short_number(now.steps_per_second) + " steps/s", theme.text,
                   "Steps done in the last second");
@@ -226,4 +232,4 @@ bool draw_status(Studio& studio, float frames_per_second, const std::vector<std:
   return draw_log_item(studio.log());
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -5,29 +5,29 @@
 
 #include "session/studio.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// The run bar: one row of controls in the current ImGui window.
 class RunBar {
  public:
   /// Draws it; what is pressed goes to the studio's runner.
-  void draw(Studio& studio);
+  void draw(session::Studio& studio);
 
  private:
-  void draw_buttons(Studio& studio);
-  void draw_steps(Studio& studio);
-  void draw_progress(const Snapshot& now) const;
-  void draw_speed(Studio& studio) const;
+  void draw_buttons(session::Studio& studio);
+  void draw_steps(session::Studio& studio);
+  void draw_progress(const session::Snapshot& now) const;
+  void draw_speed(session::Studio& studio) const;
 
   std::int64_t steps_to_run_ = 200;
 };
 
 /// Play when still, pause when running: what the space key does too.
-void play_or_pause(Runner& runner, const Snapshot& now);
+void play_or_pause(session::Runner& runner, const session::Snapshot& now);
 /// Why no step can be made now; "" when one can.
-std::string why_no_step(const Snapshot& now);
+std::string why_no_step(const session::Snapshot& now);
 
 /// The status line in the current ImGui window. True when its log entry was pressed.
-bool draw_status(Studio& studio, float frames_per_second, const std::vector<std::string>& notes);
+bool draw_status(session::Studio& studio, float frames_per_second, const std::vector<std::string>& notes);
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -10,7 +10,12 @@
 #include "ui/widgets/plot.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::CellPlace;
+using session::RunSnapshot;
+using session::Studio;
+
 namespace {
 
 std::string cell_text(CellPlace cell) { return std::to_string(cell.x) + ", " + std::to_string(cell.y); }
@@ -36,7 +41,7 @@ class SectionPanel final : public Panel {
   bool picking_ = false;
   std::optional<CellPlace> from_;
   std::optional<CellPlace> to_;
-  Section cut_;
+  session::Section cut_;
   std::uint64_t cut_version_ = 0;
   FilePopup file_{{.title = "SAVE SECTION", .action = "SAVE", .endings = {".csv"}, .saving = true}};
 };
@@ -89,7 +94,7 @@ void SectionPanel::draw_cut(const RunSnapshot& run) {
     return;
   }
   if (cut_version_ != run.terrain_version) {
-    cut_ = cut_section(*run.terrain, *from_, *to_);
+    cut_ = session::cut_section(*run.terrain, *from_, *to_);
     cut_version_ = run.terrain_version;
   }
   const PlotLine lines[] = {{"surface", cut_.distance, cut_.surface, line_colour(0)},
@@ -122,7 +127,7 @@ void SectionPanel::save(Studio& studio) {
   const auto file = file_.draw(studio);
   if (!file) return;
   try {
-    write_section(*file, cut_, studio.provenance());
+    session::write_section(*file, cut_, studio.provenance());
     studio.log().information("saved " + file->string());
   } catch (const InputError& error) {
     studio.log().mistakes(error);
@@ -147,4 +152,4 @@ void SectionPanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_section_panel() { return std::make_unique<SectionPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -7,12 +7,18 @@
 #include "ui/widgets/file_browser.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Settings;
+using session::Setup;
+using session::Studio;
+using sim::Config;
+
 namespace {
 
 /// The config that runs now in the place of the setup under edit; null before there is one.
 const Config* running_config(const Studio& studio) {
-  const Snapshot& now = studio.now();
+  const session::Snapshot& now = studio.now();
   return studio.active() < now.runs.size() ? now.runs[studio.active()].config.get() : nullptr;
 }
 
@@ -22,7 +28,7 @@ std::string waiting_for_create(const Setup& setup, const Config* running) {
   if (setup.config().model != running->model) return "Makes a new terrain for another model.";
   std::string waiting;
   for (const char* group : {"grid", "scene", "parameters", "run"}) {
-    for (const SetupRow& row : setup.rows(group, running)) {
+    for (const session::SetupRow& row : setup.rows(group, running)) {
       if (row.pending && row.needs_new_terrain) waiting += "\n- " + row.parameter->label;
     }
   }
@@ -44,7 +50,7 @@ class SetupPanel final : public Panel {
   void draw_rows(Setup& setup, const std::string& group, const Config* running, const Settings& settings);
   static void draw_seed(Setup& setup);
 
-  StepCost cost_;
+  session::StepCost cost_;
   std::string picture_group_;  ///< group and key of the path that the browser is asked for
   std::string picture_key_;
   FilePopup picture_{{.title = "CHOOSE A PICTURE", .action = "CHOOSE", .endings = {".png"}}};
@@ -73,7 +79,7 @@ void SetupPanel::draw_buttons(Desk& desk, const Config* running) {
                         .unavailable = mistakes.empty() ? "" : "Something stands against it; see below.",
                         .look = needed ? ButtonLook::accent : ButtonLook::plain,
                         .size = {half, 0}})) {
-    desk.leave("CREATE", Leaves::land, [&studio] { studio.create(); });
+    desk.leave("CREATE", session::Leaves::land, [&studio] { studio.create(); });
   }
   ImGui::SameLine();
   if (button("RESET DEFAULT",
@@ -169,4 +175,4 @@ void SetupPanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_setup_panel() { return std::make_unique<SetupPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

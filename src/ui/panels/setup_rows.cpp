@@ -2,7 +2,11 @@
 
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Setup;
+using session::SetupRow;
+
 namespace {
 
 void draw_row(Setup& setup, const SetupRow& row) {
@@ -14,7 +18,7 @@ void draw_row(Setup& setup, const SetupRow& row) {
 
 }  // namespace
 
-std::string draw_setup_rows(Setup& setup, const std::string& group, const Config* running) {
+std::string draw_setup_rows(Setup& setup, const std::string& group, const sim::Config* running) {
   const WidgetScope scope(group);
   std::string wanted_path;
   for (const SetupRow& row : setup.rows(group, running)) {
@@ -26,4 +30,4 @@ std::string draw_setup_rows(Setup& setup, const std::string& group, const Config
   return wanted_path;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

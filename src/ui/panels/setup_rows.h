@@ -5,11 +5,11 @@
 
 #include "session/setup.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// Draws the rows of one group that have an effect ("grid", "scene", "parameters", "run") and enters what is changed.
 /// `running`: the config of the run now, or null. Returns the key of a path whose file is to be chosen from the
 /// browser, else "".
-std::string draw_setup_rows(Setup& setup, const std::string& group, const Config* running);
+std::string draw_setup_rows(session::Setup& setup, const std::string& group, const sim::Config* running);
 
-}  // namespace erg
+}  // namespace erg::ui

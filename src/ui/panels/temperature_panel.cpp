@@ -6,7 +6,11 @@
 #include "ui/widgets/curve_editor.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Setup;
+using sim::temperature_parameter;
+
 namespace {
 
 class TemperaturePanel final : public Panel {
@@ -67,4 +71,4 @@ void TemperaturePanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_temperature_panel() { return std::make_unique<TemperaturePanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

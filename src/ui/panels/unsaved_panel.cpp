@@ -6,7 +6,12 @@
 #include "ui/widgets/file_browser.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Export;
+using session::Studio;
+using session::UnsavedWork;
+
 namespace {
 
 class UnsavedPanel final : public Panel {
@@ -98,4 +103,4 @@ std::unique_ptr<Panel> make_unsaved_panel(std::optional<Parting>& parting) {
   return std::make_unique<UnsavedPanel>(parting);
 }
 
-}  // namespace erg
+}  // namespace erg::ui

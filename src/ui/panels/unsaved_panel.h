@@ -8,18 +8,18 @@
 
 #include "ui/panels/panel.h"
 
-namespace erg {
+namespace erg::ui {
 
 inline constexpr const char* unsaved_title = "UNSAVED";
 
 /// What waits for the answer.
 struct Parting {
   std::string what;           ///< on its button: "QUIT"
-  Leaves leaves;              ///< what would be lost by it
+  session::Leaves leaves;     ///< what would be lost by it
   std::function<void()> act;  ///< done when all is saved, or the person does not want to
 };
 
 /// `parting` must outlive the panel; the panel clears it.
 std::unique_ptr<Panel> make_unsaved_panel(std::optional<Parting>& parting);
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -12,7 +12,13 @@
 #include "ui/widgets/widgets.h"
 #include "ui/widgets/wind_dial.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::sample_cycle;
+using session::Studio;
+using session::WindCycle;
+using session::WindEditor;
+
 namespace {
 
 constexpr std::size_t cycle_samples = 400;  // at most
@@ -178,7 +184,7 @@ void WindPanel::draw_strengths(WindEditor wind, const std::string& strength_labe
   if (last_event == RowEvent::reset) last = wind.standard().last;
   if (last_event != RowEvent::none) wind.set_last(selected_, last);
   std::int64_t steps = season.steps;
-  const Parameter declared = season_steps_parameter();
+  const Parameter declared = sim::season_steps_parameter();
   const RowEvent steps_event =
       integer_row({.label = "length", .unit = "steps", .tooltip = parameter_tooltip(declared)}, steps,
                   static_cast<std::int64_t>(declared.minimum), static_cast<std::int64_t>(declared.maximum));
@@ -192,13 +198,13 @@ void WindPanel::draw_swing(WindEditor wind) const {
     return Row{
         .label = declared.label, .unit = declared.unit, .tooltip = parameter_tooltip(declared), .changed = changed};
   };
-  const Parameter spread_declared = season_spread_parameter();
+  const Parameter spread_declared = sim::season_spread_parameter();
   double spread = season.spread;
   const RowEvent event = real_row(row(spread_declared, spread != standard.spread), spread, spread_declared.minimum,
                                   spread_declared.maximum);
   if (event != RowEvent::none) wind.set_spread(selected_, event == RowEvent::reset ? standard.spread : spread);
   if (season.spread <= 0) return;
-  const Parameter hold_declared = season_hold_parameter();
+  const Parameter hold_declared = sim::season_hold_parameter();
   std::int64_t hold = season.hold;
   const RowEvent hold_event =
       integer_row(row(hold_declared, hold != standard.hold), hold, static_cast<std::int64_t>(hold_declared.minimum),
@@ -207,7 +213,7 @@ void WindPanel::draw_swing(WindEditor wind) const {
 }
 
 void WindPanel::draw_snowfall(WindEditor wind) const {
-  const Parameter declared = season_snowfall_parameter();
+  const Parameter declared = sim::season_snowfall_parameter();
   const double standard = std::get<double>(declared.standard);
   double value = wind.season(selected_).snowfall;
   const RowEvent event = real_row({.label = declared.label,
@@ -264,7 +270,7 @@ void WindPanel::draw_rose(const WindEditor& wind, const Studio& studio) {
   const std::int64_t now = studio.now().step();
   std::int64_t end = now + wind.regime().cycle();
   if (studio.now().has_runs()) end = std::max(end, studio.now().runs.front().config->run.integer("steps"));
-  const WindRose rose = wind_rose(wind.regime(), now, end, WindRecord::sectors);
+  const session::WindRose rose = session::wind_rose(wind.regime(), now, end, session::WindRecord::sectors);
   // What has blown is what was recorded: the seasons may be set to anything else by now.
   draw_wind_rose("rose", studio.now().blown.sums, rose.to_blow, gui.px(150));
   ImGui::SameLine();
@@ -313,4 +319,4 @@ void WindPanel::draw(Desk& desk) {
 
 std::unique_ptr<Panel> make_wind_panel() { return std::make_unique<WindPanel>(); }
 
-}  // namespace erg
+}  // namespace erg::ui

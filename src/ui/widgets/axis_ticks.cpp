@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 /// 1, 2 or 5 times a power of ten, not less than `size`.
@@ -82,4 +82,4 @@ std::string figure_text(double value, int digits) {
   return text == "-0" ? "0" : text;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

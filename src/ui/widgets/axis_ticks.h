@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace erg {
+namespace erg::ui {
 
 /// The span of an axis.
 struct AxisRange {
@@ -32,4 +32,4 @@ std::string tick_text(double value, double step);
 /// A number of about `digits` figures as a person writes it: "3.14", "12 000", "-0.02", "1.5e+09".
 std::string figure_text(double value, int digits = 4);
 
-}  // namespace erg
+}  // namespace erg::ui

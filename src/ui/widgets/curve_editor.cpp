@@ -7,7 +7,7 @@
 #include "ui/widgets/typed_number.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 // At scale 1, pixels.
@@ -204,4 +204,4 @@ bool edit_points(const char* id, std::vector<CurvePoint>& points, const std::vec
   return changed;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -8,7 +8,7 @@
 #include "core/bezier.h"
 #include "ui/widgets/plot.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// How a curve editor is framed: the ends of the axes in the curve's own units.
 struct CurveFrame {
@@ -30,4 +30,4 @@ bool edit_curve(const char* id, BezierCurve& curve, const CurveFrame& frame);
 bool edit_points(const char* id, std::vector<CurvePoint>& points, const std::vector<CurvePoint>& standard,
                  const CurveFrame& frame);
 
-}  // namespace erg
+}  // namespace erg::ui

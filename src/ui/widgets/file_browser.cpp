@@ -5,7 +5,13 @@
 
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::SaveQuestion;
+using session::Settings;
+using session::Studio;
+using session::typed_path;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,7 +52,7 @@ void FileBrowser::start(const Settings& settings, const std::string& name) {
 }
 
 void FileBrowser::go_to(const fs::path& folder) {
-  listing_ = list_folder(folder, task_.endings, filter_);
+  listing_ = session::list_folder(folder, task_.endings, filter_);
   path_text_ = listing_.folder.string();
   asked_about_.clear();
 }
@@ -57,7 +63,7 @@ void FileBrowser::draw_places(Studio& studio) {
   {
     const WidgetScope scope("places");
     explain("Places");
-    for (const Place& place : places(studio.folders().presets)) {
+    for (const session::Place& place : session::places(studio.folders().presets)) {
       if (pick(place.label, place.path == listing_.folder, place.path.string())) go_to(place.path);
     }
   }
@@ -102,7 +108,7 @@ void FileBrowser::draw_path_line() {
 std::optional<fs::path> FileBrowser::draw_rows() {
   const WidgetScope scope("files");
   std::optional<fs::path> next;
-  for (const FolderEntry& entry : listing_.entries) {
+  for (const session::FolderEntry& entry : listing_.entries) {
     ImGui::TableNextColumn();
     const std::string label = entry.folder ? entry.name + "/" : entry.name;
     constexpr ImGuiSelectableFlags row = ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
@@ -181,8 +187,8 @@ void FileBrowser::choose(const fs::path& path) {
     }
     return;
   }
-  const fs::path file = task_.endings.empty() ? path : with_ending(path, task_.endings.front());
-  switch (save_question(file)) {
+  const fs::path file = task_.endings.empty() ? path : session::with_ending(path, task_.endings.front());
+  switch (session::save_question(file)) {
     case SaveQuestion::none:
       chosen_ = file;
       break;
@@ -245,4 +251,4 @@ std::optional<fs::path> FilePopup::draw(Studio& studio) {
   return chosen;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -9,7 +9,7 @@
 #include "session/folder_listing.h"
 #include "session/studio.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// What a browser is for.
 struct FileTask {
@@ -27,15 +27,15 @@ class FileBrowser {
   const FileTask& task() const { return task_; }
   void set_endings(std::vector<std::string> endings) { task_.endings = std::move(endings); }
   /// Shows the folder used last with this name typed; reads the disk anew.
-  void start(const Settings& settings, const std::string& name);
+  void start(const session::Settings& settings, const std::string& name);
   /// Draws it; the file that was chosen, in the frame it is, once every question is answered.
-  std::optional<std::filesystem::path> draw(Studio& studio);
+  std::optional<std::filesystem::path> draw(session::Studio& studio);
   /// CANCEL or Escape was pressed in the last frame.
   bool cancelled() const { return cancelled_; }
 
  private:
   void go_to(const std::filesystem::path& folder);
-  void draw_places(Studio& studio);
+  void draw_places(session::Studio& studio);
   void draw_path_line();
   void draw_entries();
   std::optional<std::filesystem::path> draw_rows();  ///< a folder that was clicked
@@ -44,7 +44,7 @@ class FileBrowser {
   void choose(const std::filesystem::path& path);
 
   FileTask task_;
-  FolderListing listing_;
+  session::FolderListing listing_;
   std::string path_text_;
   std::string filter_;
   std::string name_;
@@ -60,14 +60,14 @@ class FilePopup {
   explicit FilePopup(FileTask task) : browser_(std::move(task)) {}
 
   /// Opens it in the panel's next `draw`.
-  void ask(const Settings& settings, const std::string& name);
+  void ask(const session::Settings& settings, const std::string& name);
   void set_endings(std::vector<std::string> endings) { browser_.set_endings(std::move(endings)); }
   /// Draws it while it is open; the file that was chosen, once.
-  std::optional<std::filesystem::path> draw(Studio& studio);
+  std::optional<std::filesystem::path> draw(session::Studio& studio);
 
  private:
   FileBrowser browser_;
   bool opening_ = false;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace erg {
+namespace erg::ui {
 
 /// Gives back what fontconfig made.
 struct FontconfigFree {
@@ -133,4 +133,4 @@ std::string utf8_of(char32_t letter) {
   return {part(18, 0xf0, 0x07), part(12, 0x80, 0x3f), part(6, 0x80, 0x3f), part(0, 0x80, 0x3f)};
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace erg {
+namespace erg::ui {
 
 /// A font of outlines in a file that may hold several.
 struct FontFile {
@@ -40,4 +40,4 @@ char32_t take_letter(std::string_view& text);
 /// A letter as UTF-8.
 std::string utf8_of(char32_t letter);
 
-}  // namespace erg
+}  // namespace erg::ui

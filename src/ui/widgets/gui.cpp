@@ -11,7 +11,7 @@
 
 #include "ui/widgets/typed_number.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 // Latin, Greek, Cyrillic, dashes and quotes, sub- and superscripts, arrows, mathematics, geometric shapes. What is in
@@ -186,4 +186,4 @@ void Gui::frame(ImVec2 size, float seconds, const std::function<void()>& draw) {
   ImGui::Render();
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -13,7 +13,7 @@
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_map.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// Places of keys in ImGuiIO::KeysDown: letters as capitals and other characters as themselves; the rest from 256 on.
 namespace keys {
@@ -77,4 +77,4 @@ class Gui {
   bool fonts_stale_ = false;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

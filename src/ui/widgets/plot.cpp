@@ -6,7 +6,7 @@
 
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 constexpr float tick_gap = 4;
@@ -260,4 +260,4 @@ void draw_histogram(const char* id, std::span<const double> counts, AxisRange ra
   }
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -10,7 +10,7 @@
 
 #include "ui/widgets/axis_ticks.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// A stretch of the x axis that is set apart: a season of the wind.
 struct PlotBand {
@@ -69,4 +69,4 @@ std::optional<double> draw_plot(const char* id, std::span<const PlotLine> lines,
 /// Bars of equal width from `range.low` to `range.high`.
 void draw_histogram(const char* id, std::span<const double> counts, AxisRange range, const PlotFrame& frame);
 
-}  // namespace erg
+}  // namespace erg::ui

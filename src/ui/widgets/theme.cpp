@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 ImVec4 colour(unsigned hex, float opacity = 1) {
@@ -136,4 +136,4 @@ void apply_theme(const Theme& theme, float scale) {
   ImGui::GetStyle() = style;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

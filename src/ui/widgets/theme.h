@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-namespace erg {
+namespace erg::ui {
 
 /// Light letters on dark ground, or the other way round.
 enum class ThemeKind { dark, light };
@@ -36,4 +36,4 @@ inline constexpr float heading_size = 17;
 /// Makes ImGui's style that of the theme, for an interface this many times its usual size.
 void apply_theme(const Theme& theme, float scale);
 
-}  // namespace erg
+}  // namespace erg::ui

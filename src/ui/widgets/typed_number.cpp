@@ -8,7 +8,7 @@
 
 #include "ui/widgets/fonts.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 constexpr char32_t arabic_decimal = 0x66b;
@@ -76,4 +76,4 @@ std::string as_pasted_number(std::string_view text) {
   return number;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace erg {
+namespace erg::ui {
 
 /// A letter typed into an entry that takes a number, as the entry reads it: a decimal comma of any script is a decimal
 /// point, a digit of any script that digit, a typographic minus a minus.
@@ -18,4 +18,4 @@ void take_typed_number(const char* id);
 /// thousands go. What is no number stays as it is.
 std::string as_pasted_number(std::string_view text);
 
-}  // namespace erg
+}  // namespace erg::ui

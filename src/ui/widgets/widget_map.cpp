@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace erg {
+namespace erg::ui {
 
 bool WidgetPlace::operator==(const WidgetPlace& other) const {
   return name == other.name && low.x == other.low.x && low.y == other.low.y && high.x == other.high.x &&
@@ -46,4 +46,4 @@ std::string WidgetMap::text() const {
   return lines;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace erg {
+namespace erg::ui {
 
 /// One widget on the screen.
 struct WidgetPlace {
@@ -43,4 +43,4 @@ class WidgetMap {
   std::vector<WidgetPlace> places_;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -11,7 +11,7 @@
 #include "ui/widgets/curve_editor.h"
 #include "ui/widgets/typed_number.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 constexpr float label_share = 0.46f;      // of a row's width
@@ -354,4 +354,4 @@ RowEvent parameter_row(const Parameter& parameter, ParameterValue& value, bool n
   return event;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -13,7 +13,7 @@
 #include "core/parameters.h"
 #include "ui/widgets/gui.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// Names the last ImGui item in the widget map.
 void mark(std::string_view name);
@@ -92,4 +92,4 @@ RowEvent parameter_row(const Parameter& parameter, ParameterValue& value, bool n
 /// The tooltip of a declaration.
 std::string parameter_tooltip(const Parameter& parameter);
 
-}  // namespace erg
+}  // namespace erg::ui

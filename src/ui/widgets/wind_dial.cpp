@@ -18,7 +18,7 @@
 #include "ui/widgets/typed_number.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 constexpr int compass_points = 16;
@@ -193,4 +193,4 @@ void draw_wind_rose(const char* id, std::span<const double> blown, std::span<con
   if (hovered) tell_sector(middle, blown, coming, radius);
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -3,7 +3,7 @@
 
 #include <span>
 
-namespace erg {
+namespace erg::ui {
 
 /// A dial of `size` pixels whose hand stands where the wind blows FROM; the arrow in it shows where it blows to. Drag
 /// anywhere on it (with Shift it snaps to the 16 points of the compass). A fan reaches over the swings of a wind with
@@ -18,4 +18,4 @@ bool type_bearing(const char* id, double& bearing);
 /// `blown` is filled, `coming` drawn as an outline; either may be empty.
 void draw_wind_rose(const char* id, std::span<const double> blown, std::span<const double> coming, float size);
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -4,7 +4,7 @@
 
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 std::string key_name(int key) {
@@ -89,4 +89,4 @@ std::vector<KeyHelp> key_help(const std::vector<MenuAction>& actions) {
   return help;
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -7,7 +7,7 @@
 
 #include "ui/panels/panel.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// A thing to be done from a menu or with a key.
 struct MenuAction {
@@ -33,4 +33,4 @@ void press_keys(const std::vector<MenuAction>& actions);
 /// The keys of the table, and those of the land.
 std::vector<KeyHelp> key_help(const std::vector<MenuAction>& actions);
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 constexpr std::chrono::milliseconds patience{300};  // for the program that owns the text
@@ -126,4 +126,4 @@ std::string Clipboard::paste() {
   return {};
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-namespace erg {
+namespace erg::ui {
 
 /// Owns a connection to the display of its own. While it lives, ImGui's current context copies and pastes through it.
 /// Does nothing where no display answers.
@@ -28,4 +28,4 @@ class Clipboard {
   std::string text_;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

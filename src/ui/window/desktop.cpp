@@ -18,7 +18,14 @@
 #include "ui/window/shell.h"
 #include "ui/window/window.h"
 
-namespace erg {
+namespace erg::ui {
+
+using picture::RgbaImage;
+using render::gl11;
+using render::Look;
+using session::Activity;
+using session::Settings;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -88,7 +95,7 @@ class Desktop final : public Stage {
   bool must_close();
 
   const std::function<bool()> asked_to_end_;
-  Studio studio_;
+  session::Studio studio_;
   std::unique_ptr<StillPainter> stills_ = std::make_unique<StillPainter>();  // before the window, as it asks
   Gui gui_;  // before the window, whose input goes into it
   Window window_;
@@ -143,13 +150,13 @@ ImTextureID Desktop::picture(const std::filesystem::path& path) {
 }
 
 void Desktop::save_picture(const PictureOrder& order) {
-  const RunSnapshot* const run = studio_.active_run();
+  const session::RunSnapshot* const run = studio_.active_run();
   if (run == nullptr) throw InputError(order.path.string(), "there is no land to draw", "create one first");
   Look look = shell_.scenery().look;
   look.transparent = order.transparent;
   look.legend = shell_.scenery().legend;
-  const Picture picture = land_.picture(*run, look, shell_.scenery().camera.camera(), order.size);
-  write_run_png(order.path, picture.image, studio_.provenance());
+  const render::Picture picture = land_.picture(*run, look, shell_.scenery().camera.camera(), order.size);
+  io::write_run_png(order.path, picture.image, studio_.provenance());
 }
 
 bool Desktop::busy() {
@@ -210,4 +217,4 @@ void Desktop::run() {
 
 void run_desktop(const DesktopRequest& request) { Desktop(request).run(); }
 
-}  // namespace erg
+}  // namespace erg::ui

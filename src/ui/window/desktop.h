@@ -6,11 +6,11 @@
 
 #include "session/studio.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// How the window begins.
 struct DesktopRequest {
-  StudioFolders folders;
+  session::StudioFolders folders;
   /// Config or checkpoint to open; none: the gallery.
   std::filesystem::path open;
   /// Letters and controls this many times their usual size; 0: as the settings say.
@@ -28,4 +28,4 @@ struct DesktopRequest {
 /// Opens the window and comes back when it is closed. Throws InputError where there is no display or no OpenGL 3.3.
 void run_desktop(const DesktopRequest& request);
 
-}  // namespace erg
+}  // namespace erg::ui

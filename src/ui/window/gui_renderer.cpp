@@ -5,7 +5,12 @@
 #include <stdexcept>
 #include <string>
 
-namespace erg {
+namespace erg::ui {
+
+using render::Gl11;
+using render::gl11;
+using render::GlObject;
+
 namespace {
 
 constexpr const char* vertex_shader = R"(#version 330 core
@@ -98,7 +103,7 @@ void GuiRenderer::upload_fonts(int version) {
   font_version_ = version;
 }
 
-ImTextureID GuiRenderer::add_texture(const RgbaImage& image) {
+ImTextureID GuiRenderer::add_texture(const picture::RgbaImage& image) {
   textures_.push_back(make_texture(image.width, image.height, image.pixels.data()));
   return as_id(textures_.back().id());
 }
@@ -150,4 +155,4 @@ void GuiRenderer::draw(const Gui& gui, unsigned frame_buffer) {
   glBindVertexArray(0);
 }
 
-}  // namespace erg
+}  // namespace erg::ui

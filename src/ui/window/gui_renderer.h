@@ -10,7 +10,7 @@
 #include "render/gl.h"
 #include "ui/widgets/gui.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// Lives with one OpenGL context, which must be current whenever it is used and when it goes.
 class GuiRenderer {
@@ -24,7 +24,7 @@ class GuiRenderer {
   void draw(const Gui& gui, unsigned frame_buffer);
 
   /// A texture for ImGui::Image, kept until this renderer goes.
-  ImTextureID add_texture(const RgbaImage& image);
+  ImTextureID add_texture(const picture::RgbaImage& image);
 
  private:
   void upload_fonts(int version);
@@ -32,12 +32,12 @@ class GuiRenderer {
 
   GLuint program_ = 0;
   GLint place_of_size_ = -1;
-  GlObject vertex_array_;
-  GlObject vertices_;
-  GlObject indices_;
-  GlObject font_;
+  render::GlObject vertex_array_;
+  render::GlObject vertices_;
+  render::GlObject indices_;
+  render::GlObject font_;
   int font_version_ = 0;
-  std::vector<GlObject> textures_;
+  std::vector<render::GlObject> textures_;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -8,7 +8,7 @@
 
 #include "ui/widgets/gui.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 using Symbol = unsigned long;
@@ -97,4 +97,4 @@ int key_place(const PressedKey& key) {
   return place_at(key.position);
 }
 
-}  // namespace erg
+}  // namespace erg::ui

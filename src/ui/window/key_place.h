@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace erg {
+namespace erg::ui {
 
 /// A key that was pressed. Symbols are X's keysyms; 0: there is none.
 struct PressedKey {
@@ -22,4 +22,4 @@ struct PressedKey {
 /// that lies there on an American keyboard.
 int key_place(const PressedKey& key);
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -13,7 +13,7 @@
 
 #include "ui/window/key_place.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 bool writes_utf8() { return std::string_view(nl_langinfo(CODESET)) == "UTF-8"; }
@@ -154,4 +154,4 @@ void KeyReader::set_focus(bool here) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -8,7 +8,7 @@
 struct _XDisplay;  // NOLINT(bugprone-reserved-identifier): X's name
 union _XEvent;     // NOLINT(bugprone-reserved-identifier)
 
-namespace erg {
+namespace erg::ui {
 
 /// One key going down or up.
 struct KeyStroke {
@@ -38,4 +38,4 @@ class KeyReader {
   std::unique_ptr<Hidden> hidden_;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -7,7 +7,7 @@
 #include "ui/widgets/file_browser.h"
 #include "ui/widgets/widgets.h"
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 constexpr std::int64_t longest_side = 16384;  // pixels
@@ -88,7 +88,7 @@ void PicturePanel::draw_sizes() {
 
 void PicturePanel::write(Desk& desk) {
   try {
-    const PictureSize size{static_cast<int>(width_), static_cast<int>(height_), smooth_ ? 2 : 1};
+    const render::PictureSize size{static_cast<int>(width_), static_cast<int>(height_), smooth_ ? 2 : 1};
     save_({file_, size, transparent_});
     result_ = "Saved " + file_;
     desk.studio.log().information("saved " + file_);
@@ -98,7 +98,7 @@ void PicturePanel::write(Desk& desk) {
     desk.studio.log().mistakes(error);
   } catch (const std::bad_alloc& error) {
     failed_ = true;
-    result_ = file_ + ": " + problem_of(error);
+    result_ = file_ + ": " + sim::problem_of(error);
     desk.studio.log().error(result_);
   }
 }
@@ -109,4 +109,4 @@ std::unique_ptr<Panel> make_picture_panel(std::function<void(const PictureOrder&
   return std::make_unique<PicturePanel>(std::move(save));
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -6,11 +6,11 @@
 
 #include "ui/window/shell.h"
 
-namespace erg {
+namespace erg::ui {
 
 inline constexpr const char* picture_title = "PICTURE";
 
 /// `save` draws and writes; it may throw InputError.
 std::unique_ptr<Panel> make_picture_panel(std::function<void(const PictureOrder&)> save);
 
-}  // namespace erg
+}  // namespace erg::ui

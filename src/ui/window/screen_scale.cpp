@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 constexpr double usual_dpi = 96;
@@ -78,4 +78,4 @@ double suggested_scale(double desktop_dpi, const Monitor& monitor) {
   return std::clamp(std::round(4 * wanted) / 4, 1.0, 3.0);
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -5,7 +5,7 @@
 
 struct _XDisplay;  // NOLINT(bugprone-reserved-identifier): X's name
 
-namespace erg {
+namespace erg::ui {
 
 /// One of the monitors that a screen is made of.
 struct Monitor {
@@ -31,4 +31,4 @@ double desktop_dpi(_XDisplay* display);
 /// themselves.
 double suggested_scale(double desktop_dpi, const Monitor& monitor);
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -10,7 +10,10 @@
 #include "ui/widgets/widgets.h"
 #include "ui/window/picture_panel.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Leaves;
+
 namespace {
 
 // Widths at scale 1, pixels.
@@ -24,13 +27,13 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-std::string path_of_bookmarks(const StudioFolders& folders) {
+std::string path_of_bookmarks(const session::StudioFolders& folders) {
   return folders.settings.empty() ? std::string() : (folders.settings / "views").string();
 }
 
 }  // namespace
 
-Shell::Shell(Studio& studio, Stage& stage, Gui& gui)
+Shell::Shell(session::Studio& studio, Stage& stage, Gui& gui)
     : studio_(studio),
       stage_(stage),
       gui_(gui),
@@ -63,7 +66,7 @@ Shell::Shell(Studio& studio, Stage& stage, Gui& gui)
 Shell::~Shell() = default;
 
 void Shell::apply_settings() {
-  const Settings& settings = studio_.settings();
+  const session::Settings& settings = studio_.settings();
   if ((gui_.theme().kind == ThemeKind::dark) != settings.dark) {
     gui_.set_theme(settings.dark ? ThemeKind::dark : ThemeKind::light);
   }
@@ -267,4 +270,4 @@ void Shell::draw_dialogs() {
   to_front_.clear();
 }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -16,12 +16,12 @@
 #include "ui/widgets/gui.h"
 #include "ui/window/actions.h"
 
-namespace erg {
+namespace erg::ui {
 
 /// A picture that a person asked for.
 struct PictureOrder {
   std::filesystem::path path;
-  PictureSize size;
+  render::PictureSize size;
   bool transparent = false;
 };
 
@@ -47,7 +47,7 @@ class Stage {
 class Shell {
  public:
   /// All three must outlive it.
-  Shell(Studio& studio, Stage& stage, Gui& gui);
+  Shell(session::Studio& studio, Stage& stage, Gui& gui);
   ~Shell();
   Shell(const Shell&) = delete;
   Shell& operator=(const Shell&) = delete;
@@ -66,7 +66,7 @@ class Shell {
   void close(const std::string& title);
   bool is_open(const std::string& title) const;
   /// Desk::leave.
-  void leave(const std::string& what, Leaves leaves, std::function<void()> act);
+  void leave(const std::string& what, session::Leaves leaves, std::function<void()> act);
   /// Closes the window, after the question about work that would be lost.
   void quit();
 
@@ -86,7 +86,7 @@ class Shell {
   void set_layout(const std::string& name, float value);
   std::string why_nothing_to_save() const;
 
-  Studio& studio_;
+  session::Studio& studio_;
   Stage& stage_;
   Gui& gui_;
   Scenery scenery_;
@@ -105,4 +105,4 @@ class Shell {
   bool popup_was_open_ = false;
 };
 
-}  // namespace erg
+}  // namespace erg::ui

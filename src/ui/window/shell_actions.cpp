@@ -6,7 +6,10 @@
 #include "ui/window/picture_panel.h"
 #include "ui/window/shell.h"
 
-namespace erg {
+namespace erg::ui {
+
+using session::Settings;
+
 namespace {
 
 constexpr int f(int number) { return keys::function + number; }
@@ -108,8 +111,8 @@ void Shell::make_run_actions() {
                       .act = [this] { studio_.runner().step(); },
                       .unavailable =
                           [this, stuck] {
-                            return studio_.now().activity == Activity::running ? "It is running: pause first."
-                                                                               : stuck();
+                            return studio_.now().activity == session::Activity::running ? "It is running: pause first."
+                                                                                        : stuck();
                           }});
   actions_.push_back({.menu = "Run",
                       .label = "Reset",
@@ -120,8 +123,8 @@ void Shell::make_run_actions() {
                       .label = "Create",
                       .key = 'N',
                       .ctrl = true,
-                      .act = [this] { leave("CREATE", Leaves::land, [this] { studio_.create(); }); },
+                      .act = [this] { leave("CREATE", session::Leaves::land, [this] { studio_.create(); }); },
                       .line_above = true});
 }
 
-}  // namespace erg
+}  // namespace erg::ui

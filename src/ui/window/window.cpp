@@ -27,7 +27,7 @@
 #include <X11/Xutil.h>
 #include <X11/extensions/XInput2.h>
 
-namespace erg {
+namespace erg::ui {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -297,13 +297,13 @@ Window::Window(const WindowOptions& options) {
   glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA);
   glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
   const Monitor monitor = monitor_of_pointer(connection.get());
-  const double scale = erg::suggested_scale(desktop_dpi(connection.get()), monitor);
+  const double scale = erg::ui::suggested_scale(desktop_dpi(connection.get()), monitor);
   const int width = on_monitor(options.width, usual_width, monitor.width, scale);
   const int height = on_monitor(options.height, usual_height, monitor.height, scale);
   glutInitWindowSize(width, height);
   const int handle = glutCreateWindow(options.title.c_str());
   XSetErrorHandler(ignore_x_error);
-  load_gl();
+  render::load_gl();
   hidden_ = std::make_unique<Hidden>();
   hidden_->handle = handle;
   hidden_->width = width;
@@ -314,7 +314,7 @@ Window::Window(const WindowOptions& options) {
   hidden_->close_wish = XInternAtom(hidden_->display, "WM_DELETE_WINDOW", False);
   take_plain_mouse_events(hidden_->display, hidden_->window);
   hidden_->keyboard = std::make_unique<KeyReader>(hidden_->display, hidden_->window);
-  driver_ = reinterpret_cast<const char*>(gl11().GetString(GL_RENDERER));
+  driver_ = reinterpret_cast<const char*>(render::gl11().GetString(GL_RENDERER));
 }
 
 Window::~Window() {
@@ -324,7 +324,7 @@ Window::~Window() {
   glutDestroyWindow(hidden_->handle);
 }
 
-bool Window::is_software() const { return draws_in_software(driver_); }
+bool Window::is_software() const { return render::draws_in_software(driver_); }
 
 double Window::suggested_scale() const { return hidden_->scale; }
 
@@ -357,4 +357,4 @@ void Window::run(const WindowEvents& events) {
 
 void Window::close() { hidden_->leave(); }
 
-}  // namespace erg
+}  // namespace erg::ui

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace erg {
+namespace erg::ui {
 
 /// How the window opens.
 struct WindowOptions {
@@ -59,4 +59,4 @@ class Window {
   std::string driver_;
 };
 
-}  // namespace erg
+}  // namespace erg::ui
