@@ -31,13 +31,13 @@ std::optional<ParameterValue> vertices(const JsonNode& node) {
 
 /// A JSON value as a parameter's value; nothing for null, objects, and lists that are no curve.
 std::optional<ParameterValue> parameter_value(const Parameter& parameter, const JsonNode& node) {
-  if (parameter.kind == ParameterKind::curve) return vertices(node);
+  if (parameter.kind() == ParameterKind::curve) return vertices(node);
   if (const auto* flag = std::get_if<bool>(&node.value)) return *flag;
   if (const auto* real = std::get_if<double>(&node.value)) return *real;
   if (const std::string* text = node.text()) return *text;
   const auto* whole = std::get_if<std::int64_t>(&node.value);
   if (whole == nullptr) return std::nullopt;
-  if (parameter.kind == ParameterKind::choice) return std::to_string(*whole);  // a choice between numbers: 4 is "4"
+  if (parameter.kind() == ParameterKind::choice) return std::to_string(*whole);  // a choice between numbers: 4 is "4"
   return *whole;
 }
 
@@ -183,7 +183,7 @@ class ConfigReader {
     const JsonNode::Object* members = object(node, group);
     if (members == nullptr) return;
     check_keys(*members, keys_of(values.declared()));
-    values = read_values(*members, values.declared());
+    values = read_values(*members, values.declarations());
   }
 
   /// The value if the parameter accepts it; else reports why not.
@@ -208,7 +208,7 @@ class ConfigReader {
     const JsonNode* given = find(*members->object(), path->key);
     if (given != nullptr) line = given->line;
     if (!whole() || (given != nullptr && (given->text() == nullptr || !given->text()->empty()))) return;
-    const std::string& choice = path->only_when.front();
+    const std::string& choice = path->active_if.front();
     const JsonNode* wanting = find(*members->object(), choice);
     mistakes().add(wanting != nullptr ? wanting->line : members->line,
                    choice + " " + in_quotes(values.text(choice)) + " needs a picture",
@@ -275,7 +275,7 @@ class ConfigReader {
   }
 
   /// Those of the declared values that stand among the members; the others have their defaults.
-  ParameterValues read_values(const JsonNode::Object& members, const Parameters& declared) {
+  ParameterValues read_values(const JsonNode::Object& members, const Declarations& declared) {
     ParameterValues values(declared);
     for (const Parameter& parameter : declared) {
       const JsonNode* member = find(members, parameter.key);

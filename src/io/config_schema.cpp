@@ -24,7 +24,7 @@ Json object_schema(Json properties, Json required = Json::array()) {
 std::string description(const Parameter& parameter) {
   std::string text = parameter.meaning;
   if (!parameter.unit.empty()) text += " Unit: " + parameter.unit + ".";
-  if (parameter.kind == ParameterKind::curve) text += " Vertices [x, y]; x: " + parameter.across + ".";
+  if (parameter.kind() == ParameterKind::curve) text += " Vertices [x, y]; x: " + parameter.x_label + ".";
   if (!parameter.source.empty()) text += " Source: " + parameter.source + ".";
   return text;
 }
@@ -47,8 +47,8 @@ Json number_schema(double minimum, double maximum) {
 /// A list of vertices [x, y].
 void add_vertices_schema(const Parameter& parameter, Json& schema) {
   Json vertex = {{"type", "array"}, {"items", false}};
-  vertex["prefixItems"] = Json::array({number_schema(parameter.across_minimum, parameter.across_maximum),
-                                       number_schema(parameter.minimum, parameter.maximum)});
+  vertex["prefixItems"] = Json::array(
+      {number_schema(parameter.x_minimum, parameter.x_maximum), number_schema(parameter.minimum, parameter.maximum)});
   vertex.update({{"minItems", 2}, {"maxItems", 2}});
   schema["type"] = "array";
   schema["items"] = std::move(vertex);
@@ -60,10 +60,10 @@ Json parameter_schema(const Parameter& parameter) {
   Json schema;
   schema["title"] = parameter.label;
   schema["description"] = description(parameter);
-  switch (parameter.kind) {
+  switch (parameter.kind()) {
     case ParameterKind::real:
     case ParameterKind::integer:
-      schema["type"] = parameter.kind == ParameterKind::real ? "number" : "integer";
+      schema["type"] = parameter.kind() == ParameterKind::real ? "number" : "integer";
       schema["minimum"] = json_value(parameter.minimum);
       schema["maximum"] = json_value(parameter.maximum);
       break;
@@ -80,7 +80,7 @@ Json parameter_schema(const Parameter& parameter) {
       add_vertices_schema(parameter, schema);
       break;
   }
-  schema["default"] = json_value(parameter, parameter.standard);
+  schema["default"] = json_value(parameter, parameter.default_value);
   return schema;
 }
 
@@ -168,8 +168,8 @@ Json temperature_schema() {
 /// The defaults of a group that are another model's own.
 void add_own_defaults(Json& properties, const std::string& group, const Parameters& own, const Parameters& usual) {
   for (std::size_t i = 0; i < own.size(); ++i) {
-    if (own[i].standard == usual[i].standard) continue;
-    properties[group]["properties"][own[i].key]["default"] = json_value(own[i], own[i].standard);
+    if (own[i].default_value == usual[i].default_value) continue;
+    properties[group]["properties"][own[i].key]["default"] = json_value(own[i], own[i].default_value);
   }
 }
 

@@ -25,7 +25,7 @@ Json group_json(const std::string& group, const ParameterValues& values) {
     const std::string full_key = group + "." + parameter.key;
     const bool always = std::ranges::find(always_written, full_key) != always_written.end() ||
                         (std::ranges::find(written_if_set, full_key) != written_if_set.end() &&
-                         values.is_set(parameter.key) && values.matters(parameter));
+                         values.is_set(parameter.key) && values.is_active(parameter));
     if (always || !values.is_default(parameter.key)) {
       json[parameter.key] = json_value(parameter, values.value(parameter.key));
     }

@@ -66,7 +66,7 @@ Json json_value(const ParameterValue& value) {
 
 Json json_value(const Parameter& parameter, const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
-  const bool number = text != nullptr && parameter.kind == ParameterKind::choice && is_whole_number(*text);
+  const bool number = text != nullptr && parameter.kind() == ParameterKind::choice && is_whole_number(*text);
   return number ? Json(std::stoll(*text)) : json_value(value);
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/binding.h"
 #include "core/grain_path.h"
 #include "core/material.h"
 #include "core/parameters.h"
@@ -89,7 +90,7 @@ class Model {
 /// A kind of model: what the catalogue lists.
 struct ModelType {
   ModelInfo info;
-  Parameters parameters;
+  Declarations parameters;
   std::vector<FieldInfo> fields;
   /// Bytes a cell, at most, that a run keeps for this model besides terrain, fields and an executor's planes of slabs:
   /// a cover, a machine of its own. A run's need of memory is reckoned from it (sim/memory.h).
@@ -99,6 +100,37 @@ struct ModelType {
   std::function<std::vector<std::string>(const ParameterValues&, double cell_size)> explain;
   /// What a step stands for under a wind of this mean strength; null: steps have no time of their own.
   std::function<StepScale(const ParameterValues&, double cell_size, double mean_strength)> step_scale = {};
+};
+
+/// A kind of model in terms of the struct that its parameters are bound to; becomes a ModelType.
+template <typename Values>
+struct ModelOf {
+  ModelInfo info = {};
+  Binding<Values> parameters;
+  std::vector<FieldInfo> fields = {};
+  std::uint64_t working_bytes = 0;
+  std::function<std::unique_ptr<Model>(const Values&)> make = {};
+  std::function<std::vector<std::string>(const Values&, double cell_size)> explain = {};
+  std::function<StepScale(const Values&, double cell_size, double mean_strength)> step_scale = {};
+
+  operator ModelType() const {
+    ModelType type{
+        info,
+        parameters.declarations(),
+        fields,
+        working_bytes,
+        [bound = parameters, called = make](const ParameterValues& values) { return called(bound.read(values)); },
+        [bound = parameters, called = explain](const ParameterValues& values, double cell_size) {
+          return called(bound.read(values), cell_size);
+        }};
+    if (step_scale) {
+      type.step_scale = [bound = parameters, called = step_scale](const ParameterValues& values, double cell_size,
+                                                                  double mean_strength) {
+        return called(bound.read(values), cell_size, mean_strength);
+      };
+    }
+    return type;
+  }
 };
 
 /// Every model, in the order people should meet them (catalogue.cpp).

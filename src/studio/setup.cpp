@@ -31,7 +31,7 @@ const ParameterValues* group_of(const Config& config, const std::string& key) {
 std::string SetupRow::tooltip() const {
   std::string text = parameter->meaning;
   text += "\nAccepts " + accepted_with_unit(*parameter);
-  text += "; default " + value_text(parameter->standard) + ".";
+  text += "; default " + value_text(parameter->default_value) + ".";
   if (!parameter->source.empty()) text += "\nSource: " + parameter->source + ".";
   text += needs_new_terrain ? "\nTakes effect with CREATE." : "\nTakes effect at the next step.";
   return text;
@@ -72,7 +72,7 @@ std::vector<SetupRow> Setup::rows(const std::string& group, const Config* runnin
     row.parameter = &parameter;
     row.value = values->value(parameter.key);
     row.changed = !values->is_default(parameter.key);
-    row.relevant = values->matters(parameter);
+    row.relevant = values->is_active(parameter);
     row.needs_new_terrain = parameter.at_start;
     row.pending = in_force != nullptr &&
                   (in_force->find(parameter.key) == nullptr || in_force->value(parameter.key) != row.value);

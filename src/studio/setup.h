@@ -22,7 +22,7 @@ struct SetupRow {
   const Parameter* parameter = nullptr;  ///< key, label, unit, range, meaning, source; lives as long as the setup
   ParameterValue value;
   bool changed = false;            ///< not at its default
-  bool relevant = true;            ///< false: has no effect with the other values as they are (only_when)
+  bool relevant = true;            ///< false: has no effect with the other values as they are (active_if)
   bool needs_new_terrain = false;  ///< a change takes effect with CREATE only
   bool pending = false;            ///< differs from what runs now
 

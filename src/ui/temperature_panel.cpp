@@ -28,9 +28,9 @@ void TemperaturePanel::draw_ends(Setup& setup) {
     const RowEvent event = real_row({.label = label,
                                      .unit = declared.unit,
                                      .tooltip = parameter_tooltip(declared),
-                                     .changed = value != std::get<double>(declared.standard)},
+                                     .changed = value != std::get<double>(declared.default_value)},
                                     value, declared.minimum, declared.maximum);
-    if (event == RowEvent::reset) value = std::get<double>(declared.standard);
+    if (event == RowEvent::reset) value = std::get<double>(declared.default_value);
     return event != RowEvent::none;
   };
   double first = now.first;

@@ -208,7 +208,7 @@ void WindPanel::draw_swing(WindEditor wind) const {
 
 void WindPanel::draw_snowfall(WindEditor wind) const {
   const Parameter declared = season_snowfall_parameter();
-  const double standard = std::get<double>(declared.standard);
+  const double standard = std::get<double>(declared.default_value);
   double value = wind.season(selected_).snowfall;
   const RowEvent event = real_row({.label = declared.label,
                                    .unit = declared.unit,

@@ -20,10 +20,13 @@ namespace erg::test {
 
 using GrainSettings = std::vector<std::pair<std::string, ParameterValue>>;
 
-inline ParameterValues grain_values(const GrainSettings& settings = {}) {
-  ParameterValues values(find_model("grains").parameters);
+inline ParameterValues grain_parameters(const GrainSettings& settings) {
+  ParameterValues values(grain_binding().declarations());
   for (const auto& [key, value] : settings) values.set(key, value);
   return values;
+}
+inline GrainValues grain_values(const GrainSettings& settings = {}) {
+  return grain_binding().read(grain_parameters(settings));
 }
 
 /// Grains in still air.

@@ -25,8 +25,8 @@ const SetupRow& row_of(const std::vector<SetupRow>& rows, const std::string& key
 
 /// A value that the parameter must refuse.
 ParameterValue wrong_value(const Parameter& parameter) {
-  if (parameter.kind == ParameterKind::choice) return std::string("no such thing");
-  if (parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer) {
+  if (parameter.kind() == ParameterKind::choice) return std::string("no such thing");
+  if (parameter.kind() == ParameterKind::real || parameter.kind() == ParameterKind::integer) {
     return 2 * parameter.maximum + 1;
   }
   return 0.5;
@@ -40,7 +40,7 @@ TEST(Setup, EveryValueOfEveryModelRefusesWhatIsOutOfRange) {
       for (const SetupRow& row : setup.rows(group)) {
         EXPECT_TRUE(setup.set(group, row.parameter->key, wrong_value(*row.parameter)).has_value())
             << row.parameter->key;
-        if (row.parameter->kind == ParameterKind::real) {
+        if (row.parameter->kind() == ParameterKind::real) {
           EXPECT_TRUE(setup.set(group, row.parameter->key, std::nan("")).has_value()) << row.parameter->key;
         }
         EXPECT_EQ(setup.config(), before) << row.parameter->key;
