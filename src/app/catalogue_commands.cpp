@@ -47,10 +47,7 @@ std::string start_text(const ModelStart& start) {
 }
 
 std::string weather_text(const ModelInfo& info) {
-  std::vector<std::string> asked;
-  if (info.asks_temperature) asked.emplace_back("temperature");
-  if (info.asks_snowfall) asked.emplace_back("snowfall");
-  return asked.empty() ? "nothing" : joined(asked, ", ");
+  return info.channels.empty() ? "nothing" : joined(info.channels, ", ");
 }
 
 ExitCode print_models() {

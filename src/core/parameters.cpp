@@ -24,6 +24,7 @@ ParameterValue stored(const Parameter& parameter, ParameterValue value) {
   if (parameter.kind() == ParameterKind::real) {
     const auto* whole = std::get_if<std::int64_t>(&value);
     const double number = whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
+    if (parameter.notation != nullptr) return parameter.notation->fold(number);
     return number + 0.0;  // turns -0 into 0, which JSON readers do not tell apart
   }
   if (parameter.kind() == ParameterKind::integer) {
@@ -86,18 +87,64 @@ std::optional<Mistake> check_curve(const Parameter& parameter, const ParameterVa
   return std::nullopt;
 }
 
+bool in_unit_square(const CurvePoint& point) { return point.x >= 0 && point.x <= 1 && point.y >= 0 && point.y <= 1; }
+
+std::optional<Mistake> check_bezier(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
+  const auto* curve = std::get_if<BezierCurve>(&value);
+  if (curve != nullptr && in_unit_square(curve->first) && in_unit_square(curve->second)) return std::nullopt;
+  return Mistake{place, parameter.key + " is not two points of the unit square",
+                 "expected " + accepted_text(parameter)};
+}
+
+/// Each row's own values are right, since it refuses others.
+std::optional<Mistake> check_rows(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
+  const auto* list = std::get_if<RowList>(&value);
+  if (list == nullptr) return unacceptable(parameter, value, place);
+  const auto count = static_cast<double>(list->rows.size());
+  const bool same = std::ranges::all_of(list->rows, [&](const ParameterValues& row) {
+    return std::ranges::equal(row.declared(), parameter.columns.all(), {}, &Parameter::key, &Parameter::key);
+  });
+  if (same && count >= parameter.minimum && count <= parameter.maximum) return std::nullopt;
+  return Mistake{place, parameter.key + " has " + std::to_string(list->rows.size()) + " rows",
+                 "expected " + accepted_text(parameter)};
+}
+
+std::string row_text(const ParameterValues& row) {
+  std::string text;
+  for (const Parameter& column : row.declared()) {
+    if (!row.is_set(column.key)) continue;
+    text += (text.empty() ? "" : ", ") + column.key + "=" + value_text(row.value(column.key));
+  }
+  return "[" + text + "]";
+}
+
 }  // namespace
+
+bool RowList::operator==(const RowList& other) const { return rows == other.rows; }
 
 ParameterKind Parameter::kind() const {
   if (std::holds_alternative<double>(default_value)) return ParameterKind::real;
   if (std::holds_alternative<std::int64_t>(default_value)) return ParameterKind::integer;
   if (std::holds_alternative<bool>(default_value)) return ParameterKind::boolean;
   if (std::holds_alternative<PiecewiseLinear>(default_value)) return ParameterKind::curve;
+  if (std::holds_alternative<BezierCurve>(default_value)) return ParameterKind::bezier;
+  if (std::holds_alternative<RowList>(default_value)) return ParameterKind::rows;
   return choices.empty() ? ParameterKind::path : ParameterKind::choice;
+}
+
+Declarations::Declarations() {
+  static const auto none = std::make_shared<const Parameters>();
+  parameters_ = none;
 }
 
 Declarations::Declarations(Parameters parameters)
     : parameters_(std::make_shared<const Parameters>(std::move(parameters))) {}
+
+Declarations::Declarations(std::initializer_list<Parameter> parameters) : Declarations(Parameters(parameters)) {}
+
+const Parameter* Declarations::begin() const { return parameters_->data(); }
+
+const Parameter* Declarations::end() const { return parameters_->data() + parameters_->size(); }
 
 const Parameter* Declarations::find(std::string_view key) const {
   const auto found = std::ranges::find(*parameters_, key, &Parameter::key);
@@ -119,13 +166,19 @@ std::optional<Mistake> check_value(const Parameter& parameter, const ParameterVa
       break;
     case ParameterKind::curve:
       return check_curve(parameter, value, place);
+    case ParameterKind::bezier:
+      return check_bezier(parameter, value, place);
+    case ParameterKind::rows:
+      return check_rows(parameter, value, place);
   }
   return unacceptable(parameter, value, place);
 }
 
 ParameterValue parse_value(const Parameter& parameter, std::string_view text, const std::string& place) {
   ParameterValue value = std::string(text);
-  if (parameter.kind() == ParameterKind::real || parameter.kind() == ParameterKind::integer) {
+  if (parameter.notation != nullptr) {
+    value = parameter.notation->parse(text, place);
+  } else if (parameter.kind() == ParameterKind::real || parameter.kind() == ParameterKind::integer) {
     if (const auto whole = number_from<std::int64_t>(text)) {
       value = *whole;
     } else if (const auto real = number_from<double>(text)) {
@@ -138,6 +191,9 @@ ParameterValue parse_value(const Parameter& parameter, std::string_view text, co
     if (std::ranges::find(no, text) != no.end()) value = false;
   } else if (parameter.kind() == ParameterKind::curve) {
     if (auto curve = parse_vertices(text)) value = std::move(*curve);
+  } else if (parameter.kind() == ParameterKind::bezier) {
+    const auto points = parse_vertices(text);
+    if (points && points->vertices.size() == 2) value = BezierCurve{points->vertices[0], points->vertices[1]};
   }
   if (auto mistake = check_value(parameter, value, place)) throw InputError({std::move(*mistake)});
   return stored(parameter, std::move(value));
@@ -148,10 +204,17 @@ std::string value_text(const ParameterValue& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* curve = std::get_if<PiecewiseLinear>(&value)) return vertices_text(*curve);
+  if (const auto* bezier = std::get_if<BezierCurve>(&value)) return vertices_text({{bezier->first, bezier->second}});
+  if (const auto* list = std::get_if<RowList>(&value)) {
+    std::string text;
+    for (const ParameterValues& row : list->rows) text += (text.empty() ? "" : " ") + row_text(row);
+    return text;
+  }
   return std::get<std::string>(value);
 }
 
 std::string accepted_text(const Parameter& parameter) {
+  if (parameter.notation != nullptr) return parameter.notation->accepted;
   const std::string range = value_text(parameter.minimum) + " to " + value_text(parameter.maximum);
   switch (parameter.kind()) {
     case ParameterKind::real:
@@ -166,6 +229,13 @@ std::string accepted_text(const Parameter& parameter) {
     case ParameterKind::curve:
       return "2 to " + std::to_string(most_vertices) + " vertices x:y, x growing (" + parameter.x_label + ", " +
              value_text(parameter.x_minimum) + " to " + value_text(parameter.x_maximum) + "), y " + range;
+    case ParameterKind::bezier:
+      return "two control points, [[x, y], [x, y]], each number 0 to 1";
+    case ParameterKind::rows: {
+      const auto fewest = static_cast<std::int64_t>(parameter.minimum);
+      return "a list of " + parameter.row_name + "s, [{ ... }, { ... }], " + std::to_string(fewest) + " to " +
+             value_text(parameter.maximum) + " of them";
+    }
     case ParameterKind::choice:
       break;
   }
@@ -173,7 +243,8 @@ std::string accepted_text(const Parameter& parameter) {
 }
 
 std::string accepted_with_unit(const Parameter& parameter) {
-  return accepted_text(parameter) + (parameter.unit.empty() ? "" : " " + parameter.unit);
+  const bool has_unit = !parameter.unit.empty() && parameter.notation == nullptr;
+  return accepted_text(parameter) + (has_unit ? " " + parameter.unit : "");
 }
 
 ParameterValues::ParameterValues(Declarations declared) : declared_(std::move(declared)) {
@@ -225,6 +296,12 @@ const std::string& ParameterValues::text(std::string_view key) const { return st
 
 const PiecewiseLinear& ParameterValues::curve(std::string_view key) const {
   return std::get<PiecewiseLinear>(value(key));
+}
+
+const BezierCurve& ParameterValues::bezier(std::string_view key) const { return std::get<BezierCurve>(value(key)); }
+
+const std::vector<ParameterValues>& ParameterValues::rows(std::string_view key) const {
+  return std::get<RowList>(value(key)).rows;
 }
 
 bool ParameterValues::is_active(const Parameter& parameter) const {

@@ -12,16 +12,54 @@
 #include <variant>
 #include <vector>
 
+#include "core/bezier.h"
 #include "core/errors.h"
 #include "core/piecewise_linear.h"
 
 namespace erg {
 
+class ParameterValues;
+struct Parameter;
+using Parameters = std::vector<Parameter>;
+
+/// A list of rows, each of them the values of the same declared columns.
+struct RowList {
+  std::vector<ParameterValues> rows;
+  bool operator==(const RowList& other) const;
+};
+
 /// A parameter's value. The alternative is the parameter's kind; a choice and a path are strings.
-using ParameterValue = std::variant<double, std::int64_t, bool, std::string, PiecewiseLinear>;
+using ParameterValue = std::variant<double, std::int64_t, bool, std::string, PiecewiseLinear, BezierCurve, RowList>;
 
 /// What a value may be: the alternatives of ParameterValue, whose strings are one of a list (choice) or name a file.
-enum class ParameterKind { real, integer, boolean, choice, path, curve };
+enum class ParameterKind { real, integer, boolean, choice, path, curve, bezier, rows };
+
+/// Another way in which people write a number: a bearing as a point of the compass.
+struct Notation {
+  const char* accepted = "";  ///< what is accepted, numbers too, for messages
+  /// Reads either; throws InputError with `place`.
+  double (*parse)(std::string_view text, const std::string& place) = nullptr;
+  /// The one number that is kept for all that mean the same.
+  double (*fold)(double number) = nullptr;
+};
+
+/// A table of declarations that never changes: made once, and shared by all values that stand under it.
+class Declarations {
+ public:
+  Declarations();
+  Declarations(Parameters parameters);
+  Declarations(std::initializer_list<Parameter> parameters);
+
+  operator const Parameters&() const { return *parameters_; }
+  const Parameters& all() const { return *parameters_; }
+  const Parameter* begin() const;
+  const Parameter* end() const;
+  /// The declaration with this key, or nullptr.
+  const Parameter* find(std::string_view key) const;
+
+ private:
+  std::shared_ptr<const Parameters> parameters_;
+};
 
 /// The declaration of one parameter, written with its members' names: what is left out is empty, or has no limit.
 ///
@@ -32,12 +70,15 @@ struct Parameter {
   std::string unit = {};   ///< "" for a pure number
   /// Its alternative is the parameter's kind: 1.0 is a real number, 1 a whole one.
   ParameterValue default_value = 0.0;
-  double minimum = 0;                     ///< for numbers: smallest value allowed; for curves: of y
-  double maximum = 0;                     ///< for numbers: largest value allowed; for curves: of y
+  double minimum = 0;                     ///< for numbers: smallest value allowed; for curves: of y; for rows: fewest
+  double maximum = 0;                     ///< for numbers: largest value allowed; for curves: of y; for rows: most
   std::vector<std::string> choices = {};  ///< what a text may be; none: it is the path of a file
   std::string x_label = {};               ///< for curves: what runs along x, with its unit
   double x_minimum = 0;
   double x_maximum = 1;
+  Declarations columns = {};           ///< for rows
+  std::string row_name = {};           ///< for rows: what people call one, "season"
+  const Notation* notation = nullptr;  ///< for real numbers: how else people write them; null: not
   std::string meaning = {};
   std::string source = {};  ///< paper, equation or table; "" for our own
   /// What a positive number under `minimum` is a sign of, for the message that refuses it; may be empty.
@@ -50,33 +91,13 @@ struct Parameter {
   ParameterKind kind() const;
 };
 
-using Parameters = std::vector<Parameter>;
-
-/// A table of declarations that never changes: made once, and shared by all values that stand under it.
-class Declarations {
- public:
-  Declarations() : Declarations(Parameters{}) {}
-  Declarations(Parameters parameters);
-  Declarations(std::initializer_list<Parameter> parameters) : Declarations(Parameters(parameters)) {}
-
-  operator const Parameters&() const { return *parameters_; }
-  const Parameters& all() const { return *parameters_; }
-  auto begin() const { return parameters_->begin(); }
-  auto end() const { return parameters_->end(); }
-  /// The declaration with this key, or nullptr.
-  const Parameter* find(std::string_view key) const;
-
- private:
-  std::shared_ptr<const Parameters> parameters_;
-};
-
 /// What is wrong with `value` for this parameter (kind or range), or nothing. An integer value serves a real parameter.
 std::optional<Mistake> check_value(const Parameter& parameter, const ParameterValue& value, const std::string& place);
 
 /// Reads a value as a person types it ("0.6", "true", "flat"); throws InputError with `place`.
 ParameterValue parse_value(const Parameter& parameter, std::string_view text, const std::string& place);
 
-/// The value as a person would type it.
+/// The value as a person would type it; rows as [key=value, ...].
 std::string value_text(const ParameterValue& value);
 
 /// "0 to 1", "flat, random" ...: what a parameter accepts, for help and error messages.
@@ -115,6 +136,8 @@ class ParameterValues {
   bool boolean(std::string_view key) const;
   const std::string& text(std::string_view key) const;
   const PiecewiseLinear& curve(std::string_view key) const;
+  const BezierCurve& bezier(std::string_view key) const;
+  const std::vector<ParameterValues>& rows(std::string_view key) const;
 
   /// Whether a parameter has an effect with these values: what its `active_if` asks for holds.
   bool is_active(const Parameter& parameter) const;

@@ -31,9 +31,9 @@ struct ModelInfo {
   std::string strength_label = {};     ///< what the wind's strength is: "hop length, cells"
   Material material = Material::sand;  ///< what it moves
   ModelStart start = {};               ///< the defaults of a config of this model
-  // What it asks for of the weather besides the wind. What it does not is not shown, and refused in a config.
-  bool asks_temperature = false;          ///< deg C over the run
-  bool asks_snowfall = false;             ///< of the wind's seasons, mm of snow an hour
+  /// Keys of the channels that it uses besides the wind (wind/channels.h). Others are not shown, and refused in a
+  /// config.
+  std::vector<std::string> channels = {};
   std::vector<std::string> painted = {};  ///< keys of the fields that people may paint
 };
 
@@ -47,7 +47,7 @@ struct StepScale {
 /// What the beginning of a run may need besides the terrain.
 struct Beginning {
   std::uint64_t seed = 0;
-  double temperature = -10;              ///< deg C
+  WindNow weather = {};                  ///< of the first step
   const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
 };
 

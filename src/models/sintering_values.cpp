@@ -1,6 +1,6 @@
 #include "models/sintering_values.h"
 
-#include "wind/regime.h"
+#include "wind/channels.h"
 
 namespace erg {
 namespace {

@@ -114,7 +114,7 @@ class SnowPacking : public SlabModel {
  public:
   explicit SnowPacking(const PackingValues& values) : SlabModel(packing_family, values), values_(values) {}
 
-  void prepare(const Beginning& beginning) override { first_temperature_ = beginning.temperature; }
+  void prepare(const Beginning& beginning) override { first_temperature_ = beginning.weather.temperature; }
 
   void begin(Terrain& terrain) override {
     if (!terrain.fields().empty()) return;
@@ -181,7 +181,7 @@ ModelType snow_packing() {
                .step = "a day; polls as many cells as the grid has",
                .strength_label = slab_strength,
                .material = Material::snow,
-               .asks_temperature = true},
+               .channels = {"temperature"}},
       .parameters = snow_packing_binding(),
       .fields = snow_packing_fields(),
       .working_bytes = 5,  // the cover, here and with the executor, with room

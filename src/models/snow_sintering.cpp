@@ -72,7 +72,7 @@ class SnowSintering : public Model {
   }
   void prepare(const Beginning& beginning) override {
     seed_ = beginning.seed;
-    first_temperature_ = beginning.temperature;
+    first_temperature_ = beginning.weather.temperature;
   }
   void begin(Terrain& terrain) override;
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override;
@@ -184,8 +184,7 @@ ModelType snow_sintering() {
                .strength_label = "wind at 10 m, m/s",
                .material = Material::snow,
                .start = {.cell_size = 0.1, .strength = 11, .sand = 6},
-               .asks_temperature = true,
-               .asks_snowfall = true},
+               .channels = {"temperature", "snowfall"}},
       .parameters = sintering_binding(),
       .fields = snow_sintering_fields(),
       .working_bytes = 22,  // heights and weather of SnowMachine; its strips are one for each thread

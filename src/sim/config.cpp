@@ -5,10 +5,8 @@
 #include <mutex>
 #include <utility>
 
-#include "core/joined.h"
 #include "models/model.h"
 #include "transport/executor.h"
-#include "wind/bearing.h"
 
 namespace erg {
 namespace {
@@ -24,185 +22,7 @@ Parameters all_at_start(Parameters parameters) {
   return parameters;
 }
 
-/// One `--set`: finds what the key means and sets it.
-class Assignment {
- public:
-  Assignment(Config& config, const std::string& assignment) : config_(config), place_("--set " + assignment) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw InputError(place_, "not an assignment", "expected key=value, for example run.steps=500");
-    }
-    key_ = assignment.substr(0, equals);
-    value_ = assignment.substr(equals + 1);
-  }
-
-  void apply() {
-    if (key_ == "model") return set_model();
-    if (key_ == "title") return void(config_.title = value_);
-    if (key_ == "description") return void(config_.description = value_);
-    const bool of_temperature = key_ == "temperature" || key_.starts_with("temperature.");
-    if (of_temperature && !asks_temperature()) {
-      const Mistake mistake = not_asked_for("temperature", config_.model);
-      throw InputError(place_, mistake.problem, mistake.remedy);
-    }
-    if (key_ == "temperature") return void(config_.temperature.first = config_.temperature.last = temperature());
-    const std::vector<std::string> matches = full_keys_matching();
-    if (matches.empty()) throw InputError(place_, "unknown key " + in_quotes(key_), suggestion(key_, possible_keys()));
-    if (matches.size() > 1) {
-      throw InputError(place_, in_quotes(key_) + " is found in several groups",
-                       "say which: " + joined(matches, " or "));
-    }
-    set(matches.front());
-  }
-
- private:
-  bool asks_temperature() const { return find_model(config_.model).info.asks_temperature; }
-
-  /// "grid.nx" ... of every value that can be set in a group.
-  std::vector<std::string> full_keys() const {
-    std::vector<std::string> keys{"wind.bearing", "wind.strength", "wind.spread", "wind.hold"};
-    if (asks_temperature()) keys.insert(keys.end(), {"temperature.first", "temperature.last"});
-    for (const ConfigGroup& group : config_groups()) {
-      for (const Parameter& parameter : (config_.*group.values).declared()) {
-        keys.push_back(group.key + "." + parameter.key);
-      }
-    }
-    return keys;
-  }
-
-  /// Full keys that are `key_` or end in ".key_".
-  std::vector<std::string> full_keys_matching() const {
-    std::vector<std::string> matches;
-    for (const std::string& full : full_keys()) {
-      if (full == key_ || full.substr(full.find('.') + 1) == key_) matches.push_back(full);
-    }
-    return matches;
-  }
-
-  /// What the unknown key may have been meant as: full keys if it names a group, else bare ones.
-  std::vector<std::string> possible_keys() const {
-    std::vector<std::string> keys = full_keys();
-    if (key_.find('.') != std::string::npos) return keys;
-    for (std::string& key : keys) key.erase(0, key.find('.') + 1);
-    keys.insert(keys.end(), {"model", "title", "description"});
-    if (asks_temperature()) keys.emplace_back("temperature");
-    return keys;
-  }
-
-  void set_model() {
-    const std::vector<std::string> keys = model_keys();
-    if (std::ranges::find(keys, value_) == keys.end()) {
-      throw InputError(place_, "unknown model " + in_quotes(value_), suggestion(value_, keys));
-    }
-    change_model(config_, value_);
-  }
-
-  void set(const std::string& full_key) {
-    const std::string key = full_key.substr(full_key.find('.') + 1);
-    if (full_key.starts_with("wind.")) return set_wind(key);
-    if (full_key.starts_with("temperature.")) {
-      return void((key == "first" ? config_.temperature.first : config_.temperature.last) = temperature());
-    }
-    for (const ConfigGroup& group : config_groups()) {
-      ParameterValues& values = config_.*group.values;
-      if (full_key == group.key + "." + key) values.set(key, parse_value(*values.find(key), value_, place_));
-    }
-  }
-
-  void set_wind(const std::string& key) {
-    if (key == "spread") {
-      const double spread = std::get<double>(parse_value(season_spread_parameter(), value_, place_));
-      for (Season& season : config_.wind.seasons) season.spread = spread;
-      return;
-    }
-    if (key == "hold") {
-      const auto hold = std::get<std::int64_t>(parse_value(season_hold_parameter(), value_, place_));
-      for (Season& season : config_.wind.seasons) season.hold = hold;
-      return;
-    }
-    if (config_.wind.seasons.size() != 1) {
-      throw InputError(place_, "the wind has " + std::to_string(config_.wind.seasons.size()) + " seasons",
-                       "change them in the config");
-    }
-    Season& season = config_.wind.seasons.front();
-    if (key == "bearing") {
-      season.bearing = parse_bearing(value_, place_);
-    } else {
-      season.first = season.last = std::get<double>(parse_value(strength_parameter(), value_, place_));
-    }
-  }
-
-  double temperature() const { return std::get<double>(parse_value(temperature_parameter(), value_, place_)); }
-
-  Config& config_;
-  std::string place_;
-  std::string key_;
-  std::string value_;
-};
-
 }  // namespace
-
-Parameter strength_parameter(const ModelStart& start) {
-  return {.key = "strength",
-          .label = "Strength",
-          .default_value = start.strength,
-          .minimum = smallest_strength,
-          .maximum = largest_strength,
-          .meaning =
-              "Strength of the wind: cells a hop for slab models, m/s for the others. 0 is a calm: time passes, and "
-              "the wind moves nothing."};
-}
-
-Parameter season_spread_parameter(const ModelStart& start) {
-  return {.key = "spread",
-          .label = "Spread",
-          .unit = "deg",
-          .default_value = start.spread,
-          .minimum = 0,
-          .maximum = widest_spread,
-          .meaning = "How much the wind swings about its bearing: standard deviation from draw to draw."};
-}
-
-Parameter season_hold_parameter() {
-  return {.key = "hold",
-          .label = "Hold",
-          .unit = "steps",
-          .default_value = Season{}.hold,
-          .minimum = 1,
-          .maximum = most_steps,
-          .meaning =
-              "Time steps of the season for which the wind stays in one direction before it swings to "
-              "the next."};
-}
-
-Parameter season_steps_parameter() {
-  return {.key = "steps",
-          .label = "Steps",
-          .default_value = Season{}.steps,
-          .minimum = 1,
-          .maximum = most_steps,
-          .meaning = "Time steps that the season lasts."};
-}
-
-Parameter season_snowfall_parameter() {
-  return {.key = "snowfall",
-          .label = "Snowfall",
-          .unit = "mm/h",
-          .default_value = Season{}.snowfall,
-          .minimum = 0,
-          .maximum = heaviest_snowfall,
-          .meaning = "Snow that falls during the season, as it lies; for models that let it fall."};
-}
-
-Parameter temperature_parameter() {
-  return {.key = "temperature",
-          .label = "Temperature",
-          .unit = "deg C",
-          .default_value = Temperature{}.first,
-          .minimum = lowest_temperature,
-          .maximum = highest_temperature,
-          .meaning = "Temperature of air and snow; for models that ask for it."};
-}
 
 Parameters grid_parameters(const ModelStart& start) {
   return all_at_start({
@@ -334,44 +154,52 @@ Parameters scene_parameters(const ModelStart& start) {
   });
 }
 
-Parameters run_parameters() {
+const Binding<RunValues>& run_binding() {
   constexpr std::int64_t largest_seed = std::int64_t{1} << 53;  // every JSON reader keeps whole numbers up to here
-  return {
-      {.key = "steps",
-       .label = "Steps",
-       .default_value = 1000,
-       .minimum = 0,
-       .maximum = most_steps,
-       .meaning = "Time steps to run."},
-      {.key = "seed",
-       .label = "Seed",
-       .default_value = 0,
-       .minimum = 0,
-       .maximum = largest_seed,
-       .meaning = "The same seed gives the same dunes everywhere.",
-       .at_start = true},
-      {.key = "executor",
-       .label = "Executor",
-       .default_value = "auto",
-       .choices = executor_names(),
-       .meaning = "serial: one slab at a time, the reference; cpu: parallel sub-sweeps; cuda: the same on a graphics "
-                  "card, with the same bits; auto: the fastest that works."},
-      {.key = "threads",
-       .label = "Threads",
-       .default_value = 0,
-       .minimum = 0,
-       .maximum = 256,
-       .meaning = "Threads to use; 0: one for each processor. Results do not depend on it.",
-       .active_if = {"executor", "auto", "cpu", "cuda"}},
-      {.key = "sweeps",
-       .label = "Sub-sweeps",
-       .default_value = "16",
-       .choices = {"2", "4", "8", "16", "32", "64"},
-       .meaning = "Sub-sweeps that a time step is split into: more are slower and closer to one slab "
-                  "at a time.",
-       .active_if = {"executor", "auto", "cpu", "cuda"}},
+  static const Binding<RunValues> binding{
+      {&RunValues::steps,
+       {.key = "steps",
+        .label = "Steps",
+        .default_value = 1000,
+        .minimum = 0,
+        .maximum = most_steps,
+        .meaning = "Time steps to run."}},
+      {&RunValues::seed,
+       {.key = "seed",
+        .label = "Seed",
+        .default_value = 0,
+        .minimum = 0,
+        .maximum = largest_seed,
+        .meaning = "The same seed gives the same dunes everywhere.",
+        .at_start = true}},
+      {&RunValues::executor,
+       {.key = "executor",
+        .label = "Executor",
+        .default_value = "auto",
+        .choices = executor_names(),
+        .meaning = "serial: one slab at a time, the reference; cpu: parallel sub-sweeps; cuda: the same on a graphics "
+                   "card, with the same bits; auto: the fastest that works."}},
+      {&RunValues::threads,
+       {.key = "threads",
+        .label = "Threads",
+        .default_value = 0,
+        .minimum = 0,
+        .maximum = 256,
+        .meaning = "Threads to use; 0: one for each processor. Results do not depend on it.",
+        .active_if = {"executor", "auto", "cpu", "cuda"}}},
+      {&RunValues::sweeps,
+       {.key = "sweeps",
+        .label = "Sub-sweeps",
+        .default_value = "16",
+        .choices = {"2", "4", "8", "16", "32", "64"},
+        .meaning = "Sub-sweeps that a time step is split into: more are slower and closer to one slab "
+                   "at a time.",
+        .active_if = {"executor", "auto", "cpu", "cuda"}}},
   };
+  return binding;
 }
+
+Parameters run_parameters() { return run_binding().declarations(); }
 
 Mistake not_asked_for(const std::string& key, const std::string& model_key) {
   return {"", in_quotes(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
@@ -389,7 +217,6 @@ namespace {
 struct GroupDeclarations {
   Declarations grid;
   Declarations scene;
-  Declarations run;
 };
 
 const GroupDeclarations& group_declarations(const ModelStart& start) {
@@ -397,7 +224,7 @@ const GroupDeclarations& group_declarations(const ModelStart& start) {
   static std::map<std::pair<double, double>, GroupDeclarations> made;
   const std::lock_guard<std::mutex> lock(one_at_a_time);
   const auto [entry, is_new] = made.try_emplace({start.cell_size, start.sand});
-  if (is_new) entry->second = {grid_parameters(start), scene_parameters(start), run_parameters()};
+  if (is_new) entry->second = {grid_parameters(start), scene_parameters(start)};
   return entry->second;
 }
 
@@ -411,7 +238,7 @@ Config::Config(const ModelType& type)
     : model(type.info.key),
       grid(group_declarations(type.info.start).grid),
       scene(group_declarations(type.info.start).scene),
-      run(group_declarations(type.info.start).run),
+      run(run_binding().declarations()),
       parameters(type.parameters),
       wind(starting_wind(type.info.start)) {}
 
@@ -458,7 +285,5 @@ void change_model(Config& config, const std::string& model_key) {
   }
   config.model = model_key;
 }
-
-void set_from_text(Config& config, const std::string& assignment) { Assignment(config, assignment).apply(); }
 
 }  // namespace erg

@@ -137,18 +137,15 @@ std::vector<Mistake> Setup::mistakes() const {
   return found;
 }
 
-std::optional<Mistake> Setup::set_temperatures(double first, double last) {
-  for (const double temperature : {first, last}) {
-    if (auto mistake = check_value(temperature_parameter(), temperature, "temperature")) return mistake;
+std::optional<Mistake> Setup::set_course(const Channel& channel, const Course& course) {
+  try {
+    row_of(course, channel);
+  } catch (const InputError& error) {
+    Mistake mistake = error.mistakes().front();
+    mistake.place = channel.declared.key;
+    return mistake;
   }
-  config_.temperature.first = first;
-  config_.temperature.last = last;
-  return std::nullopt;
-}
-
-std::optional<Mistake> Setup::set_temperature_curve(const BezierCurve& curve) {
-  if (auto mistake = check_curve(curve, "temperature")) return mistake;
-  config_.temperature.curve = curve;
+  config_.weather.*channel.over_run = course;
   return std::nullopt;
 }
 
@@ -160,7 +157,7 @@ Config Setup::in_force_on(const Config& running) const {
   result.title = config_.title;
   result.description = config_.description;
   result.wind = config_.wind;
-  result.temperature = config_.temperature;
+  result.weather = config_.weather;
   for (const ConfigGroup& group : config_groups()) {
     for (const Parameter& parameter : (config_.*group.values).declared()) {
       if (parameter.at_start) continue;

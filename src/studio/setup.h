@@ -75,10 +75,8 @@ class Setup {
   /// The wind under edit.
   WindEditor wind() { return WindEditor(config_.wind, starting_wind(model().info.start)); }
 
-  /// The temperature over the run (only snow models ask for it): first and last, deg C, and the curve between them, for
-  /// `run.steps` steps. Each says what is wrong, and then nothing has changed.
-  std::optional<Mistake> set_temperatures(double first, double last);
-  std::optional<Mistake> set_temperature_curve(const BezierCurve& curve);
+  /// A channel's course over the `run.steps` steps of the run. Says what is wrong, and then nothing has changed.
+  std::optional<Mistake> set_course(const Channel& channel, const Course& course);
 
   /// Whether CREATE draws a new seed each time.
   bool fresh_seed() const { return fresh_seed_; }

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "ui/curve_editor.h"
+#include "ui/row_table.h"
 #include "ui/typed_number.h"
 
 namespace erg {
@@ -139,6 +140,17 @@ RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& 
   const bool changed = edit_points("points", curve.vertices, standard, frame);
   ImGui::EndDisabled();
   return changed ? RowEvent::changed : RowEvent::none;
+}
+
+/// A curve between two values, bent by its control points.
+RowEvent bezier_row(const Row& row, BezierCurve& curve) {
+  ImGui::TextUnformatted(row.label.c_str());
+  tooltip(row.tooltip);
+  CurveFrame frame;
+  frame.x = {0, 1};
+  frame.y = {0, 1};
+  frame.height = Gui::current().px(170);
+  return edit_curve(row.label.c_str(), curve, frame) ? RowEvent::changed : RowEvent::none;
 }
 
 }  // namespace
@@ -349,6 +361,12 @@ RowEvent parameter_row(const Parameter& parameter, ParameterValue& value, bool n
       break;
     case ParameterKind::curve:
       event = curve_row(row, parameter, std::get<PiecewiseLinear>(value));
+      break;
+    case ParameterKind::bezier:
+      event = bezier_row(row, std::get<BezierCurve>(value));
+      break;
+    case ParameterKind::rows:
+      event = rows_row(row, parameter, std::get<RowList>(value));
       break;
   }
   if (event == RowEvent::reset) value = parameter.default_value;

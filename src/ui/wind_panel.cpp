@@ -8,6 +8,7 @@
 #include "ui/curve_editor.h"
 #include "ui/panels.h"
 #include "ui/plot.h"
+#include "ui/row_table.h"
 #include "ui/widgets.h"
 #include "ui/wind_dial.h"
 #include "wind/bearing.h"
@@ -23,22 +24,6 @@ std::string strength_text(const Season& season) {
   return season.first == season.last ? first : first + " to " + figure_text(season.last, 3);
 }
 
-void put_in_place(WindEditor wind, const std::vector<Season>& seasons) {
-  wind.reset();
-  for (std::size_t index = 0; index < seasons.size(); ++index) {
-    if (index > 0) wind.add();
-    const Season& season = seasons[index];
-    wind.set_bearing(index, season.bearing);
-    wind.set_first(index, season.first);
-    wind.set_last(index, season.last);
-    wind.set_steps(index, season.steps);
-    wind.set_curve(index, season.curve);
-    wind.set_snowfall(index, season.snowfall);
-    wind.set_spread(index, season.spread);
-    wind.set_hold(index, season.hold);
-  }
-}
-
 class WindPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::wind; }
@@ -52,8 +37,8 @@ class WindPanel final : public Panel {
   void draw_list_buttons(WindEditor wind);
   void draw_bearing(WindEditor wind);
   void draw_strengths(WindEditor wind, const std::string& strength_label);
+  void draw_column(WindEditor wind, const std::string& key) const;
   void draw_swing(WindEditor wind) const;
-  void draw_snowfall(WindEditor wind) const;
   void draw_curve(WindEditor wind, const Studio& studio, const std::string& strength_label);
   void draw_cycle(const WindEditor& wind, std::int64_t step, const std::string& strength_label) const;
   static void draw_rose(const WindEditor& wind, const Studio& studio);
@@ -74,7 +59,7 @@ void WindPanel::draw_kind(const WindEditor& wind) {
     Season constant = wind.season(selected_);
     constant.last = constant.first;
     constant.curve = {};
-    put_in_place(wind, {constant});
+    WindEditor(wind).replace({constant});
     seasons_wanted_ = false;
     selected_ = 0;
   }
@@ -83,7 +68,7 @@ void WindPanel::draw_kind(const WindEditor& wind) {
                          .look = seasons ? ButtonLook::accent : ButtonLook::plain,
                          .size = {half, 0}}) &&
       !seasons) {
-    if (!put_aside_.empty()) put_in_place(wind, put_aside_);
+    WindEditor(wind).replace(put_aside_);
     seasons_wanted_ = true;
   }
 }
@@ -117,30 +102,26 @@ void WindPanel::draw_list(const WindEditor& wind, std::size_t now) {
 }
 
 void WindPanel::draw_list_buttons(WindEditor wind) {
-  const bool last_one = wind.seasons() == 1;
-  if (button("ADD", {.tooltip = "Another season at the end."})) selected_ = wind.add();
-  ImGui::SameLine();
-  if (button("COPY", {.tooltip = "The chosen season once more, right behind it."}))
-    selected_ = wind.duplicate(selected_);
-  ImGui::SameLine();
-  if (button("REMOVE", {.tooltip = "Takes the chosen season out.",
-                        .unavailable = last_one ? "The wind needs one season." : ""})) {
-    wind.remove(selected_);
-    selected_ = std::min(selected_, wind.seasons() - 1);
+  switch (list_buttons({.row_name = "season", .count = wind.seasons(), .selected = selected_, .fewest = 1})) {
+    case ListEdit::none:
+      break;
+    case ListEdit::add:
+      selected_ = wind.add();
+      break;
+    case ListEdit::copy:
+      selected_ = wind.duplicate(selected_);
+      break;
+    case ListEdit::remove:
+      wind.remove(selected_);
+      selected_ = std::min(selected_, wind.seasons() - 1);
+      break;
+    case ListEdit::up:
+      if (wind.move_up(selected_)) --selected_;
+      break;
+    case ListEdit::down:
+      if (wind.move_down(selected_)) ++selected_;
+      break;
   }
-  ImGui::SameLine();
-  if (button("\u2191##up", {.tooltip = "Earlier.", .unavailable = selected_ == 0 ? "It is the first." : ""}) &&
-      wind.move_up(selected_)) {
-    --selected_;
-  }
-  mark("up");
-  ImGui::SameLine();
-  const bool at_end = selected_ + 1 >= wind.seasons();
-  if (button("\u2193##down", {.tooltip = "Later.", .unavailable = at_end ? "It is the last." : ""}) &&
-      wind.move_down(selected_)) {
-    ++selected_;
-  }
-  mark("down");
 }
 
 void WindPanel::draw_bearing(WindEditor wind) {
@@ -178,44 +159,23 @@ void WindPanel::draw_strengths(WindEditor wind, const std::string& strength_labe
   if (last_event == RowEvent::reset) last = wind.standard().last;
   if (last_event != RowEvent::none) wind.set_last(selected_, last);
   std::int64_t steps = season.steps;
-  const Parameter declared = season_steps_parameter();
+  const Declarations columns = wind.columns();
+  const Parameter& declared = *columns.find("steps");
   const RowEvent steps_event =
       integer_row({.label = "length", .unit = "steps", .tooltip = parameter_tooltip(declared)}, steps,
                   static_cast<std::int64_t>(declared.minimum), static_cast<std::int64_t>(declared.maximum));
   if (steps_event == RowEvent::changed) wind.set_steps(selected_, steps);
 }
 
-void WindPanel::draw_swing(WindEditor wind) const {
-  const Season& season = wind.season(selected_);
-  const Season& standard = wind.standard();
-  const auto row = [](const Parameter& declared, bool changed) {
-    return Row{
-        .label = declared.label, .unit = declared.unit, .tooltip = parameter_tooltip(declared), .changed = changed};
-  };
-  const Parameter spread_declared = season_spread_parameter();
-  double spread = season.spread;
-  const RowEvent event = real_row(row(spread_declared, spread != standard.spread), spread, spread_declared.minimum,
-                                  spread_declared.maximum);
-  if (event != RowEvent::none) wind.set_spread(selected_, event == RowEvent::reset ? standard.spread : spread);
-  if (season.spread <= 0) return;
-  const Parameter hold_declared = season_hold_parameter();
-  std::int64_t hold = season.hold;
-  const RowEvent hold_event =
-      integer_row(row(hold_declared, hold != standard.hold), hold, static_cast<std::int64_t>(hold_declared.minimum),
-                  static_cast<std::int64_t>(hold_declared.maximum));
-  if (hold_event != RowEvent::none) wind.set_hold(selected_, hold_event == RowEvent::reset ? standard.hold : hold);
+void WindPanel::draw_column(WindEditor wind, const std::string& key) const {
+  const Declarations columns = wind.columns();
+  ParameterValue value = wind.value(selected_, key);
+  if (parameter_row(*columns.find(key), value) != RowEvent::none) wind.set(selected_, key, value);
 }
 
-void WindPanel::draw_snowfall(WindEditor wind) const {
-  const Parameter declared = season_snowfall_parameter();
-  const double standard = std::get<double>(declared.default_value);
-  double value = wind.season(selected_).snowfall;
-  const RowEvent event = real_row({.label = declared.label,
-                                   .unit = declared.unit,
-                                   .tooltip = parameter_tooltip(declared),
-                                   .changed = value != standard},
-                                  value, declared.minimum, declared.maximum);
-  if (event != RowEvent::none) wind.set_snowfall(selected_, event == RowEvent::reset ? standard : value);
+void WindPanel::draw_swing(WindEditor wind) const {
+  draw_column(wind, "spread");
+  if (wind.season(selected_).spread > 0) draw_column(wind, "hold");
 }
 
 void WindPanel::draw_curve(WindEditor wind, const Studio& studio, const std::string& strength_label) {
@@ -301,7 +261,9 @@ void WindPanel::draw(Desk& desk) {
   draw_bearing(wind);
   draw_strengths(wind, strength_label);
   draw_swing(wind);
-  if (studio.comparison().asks_snowfall()) draw_snowfall(wind);
+  for (const Channel& channel : channels()) {
+    if (channel.of_season != nullptr && studio.comparison().uses(channel)) draw_column(wind, channel.declared.key);
+  }
   if (shows_seasons(wind)) {
     draw_curve(wind, studio, strength_label);
     if (section("The whole cycle")) draw_cycle(wind, studio.now().step(), strength_label);

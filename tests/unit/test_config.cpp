@@ -142,12 +142,12 @@ TEST(Config, WeatherThatTheModelDoesNotAskForIsRefusedAndNotWritten) {
             "no error");
 
   Config config("snow_sintering");  // as a setup of the window, whose model may change
-  config.temperature.last = -2;
+  config.weather.temperature.last = -2;
   config.wind.seasons.front().snowfall = 3;
   EXPECT_EQ(parse_config(config_text(config), "a.json"), config);
   change_model(config, "momiji");
   const Config read = parse_config(config_text(config), "a.json");
-  EXPECT_EQ(read.temperature, Temperature{});
+  EXPECT_EQ(read.weather, Weather{});
   EXPECT_EQ(read.wind.seasons.front().snowfall, 0);
 }
 

@@ -182,8 +182,8 @@ TEST(LibraryUse, WeatherThatCannotBeIsRefused) {
       [](Config& config) { config.wind.seasons.front().hold = 0; },
       [](Config& config) { config.wind.seasons.front().snowfall = -1; },
       [](Config& config) { config.wind.seasons.front().curve.first.x = nan; },
-      [](Config& config) { config.temperature.first = nan; },
-      [](Config& config) { config.temperature.curve.second.y = 5; }};
+      [](Config& config) { config.weather.temperature.first = nan; },
+      [](Config& config) { config.weather.temperature.curve.second.y = 5; }};
   for (std::size_t fault = 0; fault < faults.size(); ++fault) {
     Config config = small_config("snow_sintering");
     faults[fault](config);
