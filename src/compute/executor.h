@@ -23,12 +23,13 @@
 #include "compute/instruction_set.h"
 #include "core/errors.h"
 #include "core/terrain.h"
+#include "sim/make_executor.h"
 
 namespace erg {
 
 /// Which executor, and how it works.
 struct ExecutorOptions {
-  std::string name = "auto";  ///< one of executor_names(); "auto" takes the fastest that works
+  std::string name = "auto";  ///< one of executor_names() (sim/make_executor.h); "auto" takes the fastest that works
   int threads = 0;            ///< 0: one for each processor
   int sweeps = 16;            ///< K, sub-sweeps a step (cpu, cuda): a power of two, 2 to 64
   InstructionSet instructions = wanted_instruction_set();
@@ -137,13 +138,6 @@ class Executor {
   Grid<std::int32_t>* lift_counts_ = nullptr;
   std::string notice_;
 };
-
-/// "auto", "serial", "cpu", "cuda". This and make_executor stand in the layer `sim`, which knows all back ends.
-const std::vector<std::string>& executor_names();
-
-/// Throws InputError for an unknown name. "cuda" where no device works is the processor with a notice; "auto" then is
-/// the processor without one.
-std::unique_ptr<Executor> make_executor(const ExecutorOptions& options);
 
 // --- how a step is carried out ---
 

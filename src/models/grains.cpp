@@ -47,12 +47,12 @@ Grid<float> strewn_plants(const Terrain& terrain, std::int64_t plants, double di
 
 }  // namespace
 
-GrainModel::GrainModel(ParameterValues values) : values_(std::move(values)) {}
+GrainModel::GrainModel(const GrainValues& values) : values_(values) {}
 
-double GrainModel::quantum() const { return values_.real("parcel_height") * 1e-3; }
+double GrainModel::quantum() const { return values_.parcel_height * 1e-3; }
 
 double GrainModel::shadow_fall(double cell_size) const {
-  return erg::shadow_fall(values_.real("shadow_angle"), cell_size, quantum());
+  return erg::shadow_fall(values_.shadow_angle, cell_size, quantum());
 }
 
 void GrainModel::begin(Terrain& terrain) {
@@ -60,9 +60,8 @@ void GrainModel::begin(Terrain& terrain) {
   for (const FieldInfo& info : grain_fields()) {
     if (find_field(terrain.fields(), info.key) != nullptr) continue;
     const bool plants = info.key == plants_field;
-    terrain.edit_fields().push_back(
-        {info, plants ? strewn_plants(terrain, values_.integer("plants"), values_.real("plant_diameter"))
-                      : Grid<float>(terrain.extent())});
+    terrain.edit_fields().push_back({info, plants ? strewn_plants(terrain, values_.plants, values_.plant_diameter)
+                                                  : Grid<float>(terrain.extent())});
   }
 }
 
@@ -111,12 +110,12 @@ std::shared_ptr<const std::vector<float>> GrainModel::shelter(const Terrain& ter
 GrainStepLaw GrainModel::step_law(const Terrain& terrain, const WindFrame& frame, const WindNow& wind) {
   GrainStepLaw law;
   law.grain = grain_law(values_, wind, frame, terrain.cell_size());
-  law.sub_steps = static_cast<int>(values_.integer("sub_steps"));
+  law.sub_steps = static_cast<int>(values_.sub_steps);
   law.shadow_fall = shadow_fall(terrain.cell_size());
-  law.standing = StandingSteps::of_angle(values_.real("repose_angle"), terrain.cell_size(), terrain.quantum());
-  law.abrasion = values_.real("abrasion");
-  law.settling = values_.real("settling");
-  if (values_.real("bonding_time") > 0) law.bonding = 1 - std::exp(-1 / values_.real("bonding_time"));
+  law.standing = StandingSteps::of_angle(values_.repose_angle, terrain.cell_size(), terrain.quantum());
+  law.abrasion = values_.abrasion;
+  law.settling = values_.settling;
+  if (values_.bonding_time > 0) law.bonding = 1 - std::exp(-1 / values_.bonding_time);
   law.shelter = shelter(terrain, frame, wind.bearing);
   return law;
 }
@@ -153,47 +152,47 @@ std::vector<Reading> GrainModel::readings() const {
 
 namespace {
 
-std::vector<std::string> explain_grains(const ParameterValues& values, double cell_size) {
-  const double diameter = values.real("diameter") * 1e-3;
-  const double parcel = values.real("parcel_height") * 1e-3;
+std::vector<std::string> explain_grains(const GrainValues& values, double cell_size) {
+  const double diameter = values.diameter * 1e-3;
+  const double parcel = values.parcel_height * 1e-3;
   constexpr double packing = 0.6;
   const double grain = std::numbers::pi / 6 * diameter * diameter * diameter;
-  const int standing = standing_step(values.real("repose_angle"), cell_size, parcel);
+  const int standing = standing_step(values.repose_angle, cell_size, parcel);
   char lines[3][200];
   std::snprintf(lines[0], sizeof lines[0], "a parcel of %g mm on a cell of %g m is about %.0f grains",
-                values.real("parcel_height"), cell_size, packing * cell_size * cell_size * parcel / grain);
+                values.parcel_height, cell_size, packing * cell_size * cell_size * parcel / grain);
   std::snprintf(lines[1], sizeof lines[1],
                 "grains lift from a friction velocity of %.3f m/s on (%.1f m/s at a height of %g m)",
                 lifting_threshold(values, diameter),
-                profile_speed(values, lifting_threshold(values, diameter), values.real("wind_height")),
-                values.real("wind_height"));
+                profile_speed(values, lifting_threshold(values, diameter), values.wind_height), values.wind_height);
   std::snprintf(lines[2], sizeof lines[2],
-                "repose %g deg: a step of %d parcel%s (%.1f deg) stands, a larger one slides",
-                values.real("repose_angle"), standing, standing == 1 ? "" : "s",
-                degrees(std::atan(standing * parcel / cell_size)));
+                "repose %g deg: a step of %d parcel%s (%.1f deg) stands, a larger one slides", values.repose_angle,
+                standing, standing == 1 ? "" : "s", degrees(std::atan(standing * parcel / cell_size)));
   return {lines[0], lines[1], lines[2]};
 }
 
 }  // namespace
 
 ModelType grains() {
-  return {{.key = "grains",
-           .title = "Wang & Hu 2012",
-           .citation = "Wang, N. & Hu, B.-G. (2012). Real-time simulation of aeolian sand movement and sand ripple "
-                       "evolution: a method based on the physics of blown sand. Journal of Computer Science and "
-                       "Technology 27, 135-146; after the accounts of Szabo (2019, ch. 3) and Cimbura (2022, sec. 4.3 "
-                       "and 5.11). Wind in the saltation layer after Bagnold (1941), splash ours.",
-           .makes = "ripples of sand and snow, about a decimetre long, on flat ground, over dunes, round plants",
-           .leaves_out = "turbulence, speed-up of the wind over a hill, sorting of grains by size, time in seconds",
-           .step = "one step polls as many grains as the grid has cells",
-           .strength_label = "wind speed at wind_height, m/s (or friction velocity, m/s: see strength_is)",
-           .start = {.cell_size = 0.01, .strength = 10, .sand = 200},
-           .painted = {plants_field}},
-          grain_parameters(),
-          grain_fields(),
-          60,  // the frozen ground, counts and sums of GrainSolver, shelter behind plants
-          [](const ParameterValues& values) { return std::make_unique<GrainModel>(values); },
-          explain_grains};
+  return ModelOf<GrainValues>{
+      .info = {.key = "grains",
+               .title = "Wang & Hu 2012",
+               .citation =
+                   "Wang, N. & Hu, B.-G. (2012). Real-time simulation of aeolian sand movement and sand ripple "
+                   "evolution: a method based on the physics of blown sand. Journal of Computer Science and "
+                   "Technology 27, 135-146; after the accounts of Szabo (2019, ch. 3) and Cimbura (2022, sec. 4.3 "
+                   "and 5.11). Wind in the saltation layer after Bagnold (1941), splash ours.",
+               .makes = "ripples of sand and snow, about a decimetre long, on flat ground, over dunes, round plants",
+               .leaves_out = "turbulence, speed-up of the wind over a hill, sorting of grains by size, time in seconds",
+               .step = "one step polls as many grains as the grid has cells",
+               .strength_label = "wind speed at wind_height, m/s (or friction velocity, m/s: see strength_is)",
+               .start = {.cell_size = 0.01, .strength = 10, .sand = 200},
+               .painted = {plants_field}},
+      .parameters = grain_binding(),
+      .fields = grain_fields(),
+      .working_bytes = 60,  // the frozen ground, counts and sums of GrainBed, shelter behind plants
+      .make = [](const GrainValues& values) { return std::make_unique<GrainModel>(values); },
+      .explain = explain_grains};
 }
 
 }  // namespace erg

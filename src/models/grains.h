@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "forcing/wind_frame.h"
+#include "models/grain_values.h"
 #include "models/model.h"
 #include "transport/grain_solver.h"
 
@@ -31,7 +32,7 @@ inline constexpr const char* plants_field = "vegetation";
 /// The model at work.
 class GrainModel : public Model {
  public:
-  explicit GrainModel(ParameterValues values);
+  explicit GrainModel(const GrainValues& values);
 
   double quantum() const override;
   void begin(Terrain& terrain) override;
@@ -50,7 +51,7 @@ class GrainModel : public Model {
   void trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law, StepKey key,
                    const FrozenGround& ground);
 
-  ParameterValues values_;
+  GrainValues values_;
   std::shared_ptr<const std::vector<float>> shelter_;
   double shelter_bearing_ = 0;        // of the wind that shelter_ is for
   Grid<float> shelter_plants_;        // of which it was made

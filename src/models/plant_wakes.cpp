@@ -9,10 +9,10 @@ namespace {
 /// The wake of plants along the wind.
 class Wake {
  public:
-  Wake(const ParameterValues& values, const WindFrame& frame, double cell_size)
-      : shelter_(values.real("plant_shelter")),
-        length_(values.real("wake_length") * values.real("plant_height") / cell_size),
-        spread_(values.real("wake_spread")),
+  Wake(const GrainValues& values, const WindFrame& frame, double cell_size)
+      : shelter_(values.plant_shelter),
+        length_(values.wake_length * values.plant_height / cell_size),
+        spread_(values.wake_spread),
         along_u_(frame.tangent * frame.cosine),
         along_v_(frame.cosine) {}
 
@@ -41,7 +41,7 @@ class Wake {
 
 }  // namespace
 
-std::vector<float> plant_shelter(const ParameterValues& values, const Terrain& terrain, const Grid<float>& plants,
+std::vector<float> plant_shelter(const GrainValues& values, const Terrain& terrain, const Grid<float>& plants,
                                  const WindFrame& frame) {
   std::vector<float> shelter(terrain.extent().cells(), 1.0f);
   const Wake wake(values, frame, terrain.cell_size());

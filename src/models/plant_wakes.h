@@ -3,16 +3,16 @@
 
 #include <vector>
 
-#include "core/parameters.h"
 #include "core/terrain.h"
 #include "forcing/wind_frame.h"
+#include "models/grain_values.h"
 
 namespace erg {
 
 /// The share of the wind that these plants leave in each cell of the frame (1 without plants): least where a plant
-/// stands, more and more along the wake behind it. `values`: of grain_parameters(). `plants`: the share of each of the
+/// stands, more and more along the wake behind it. `plants`: the share of each of the
 /// terrain's cells that plants cover, 0 to 1.
-std::vector<float> plant_shelter(const ParameterValues& values, const Terrain& terrain, const Grid<float>& plants,
+std::vector<float> plant_shelter(const GrainValues& values, const Terrain& terrain, const Grid<float>& plants,
                                  const WindFrame& frame);
 
 }  // namespace erg

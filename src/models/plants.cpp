@@ -62,56 +62,123 @@ constexpr std::array<CurvePoint, 3> blowout_middles = {{{0.20, 0.20}, {0.30, 0.5
 constexpr double blowout_length = 6;
 constexpr double blowout_width = 5;
 
-}  // namespace
-
-Parameters plant_parameters() {
-  Parameters parameters{
-      integer_parameter("steps_per_year", "Steps a year", "", 80, 1, 100000, "Plants change after so many time steps.",
-                        "Cimbura 2022, table 6.4"),
-      at_start(choice_parameter(
-          "vegetation", "Plants at the start", "natural",
-          {"natural", "blowouts", "islands", "random", "painted", "image"},
-          "natural, painted: none, they come up where the balance suits them or are painted in; blowouts: "
-          "all over but for three bare patches of 6 m by 5 m; islands: in three rectangles; random: each "
-          "cell at random from 0 to twice the start values; image: where a picture is bright.",
-          "Cimbura 2022, section 6.4"))};
+Binding<PlantValues>::Entries plant_parameters() {
+  Binding<PlantValues>::Entries parameters{
+      {&PlantValues::steps_per_year,
+       {.key = "steps_per_year",
+        .label = "Steps a year",
+        .default_value = 80,
+        .minimum = 1,
+        .maximum = 100000,
+        .meaning = "Plants change after so many time steps.",
+        .source = "Cimbura 2022, table 6.4"}},
+      {&PlantValues::vegetation,
+       {.key = "vegetation",
+        .label = "Plants at the start",
+        .default_value = "natural",
+        .choices = {"natural", "blowouts", "islands", "random", "painted", "image"},
+        .meaning = "natural, painted: none, they come up where the balance suits them or are painted in; blowouts: "
+                   "all over but for three bare patches of 6 m by 5 m; islands: in three rectangles; random: each "
+                   "cell at random from 0 to twice the start values; image: where a picture is bright.",
+        .source = "Cimbura 2022, section 6.4",
+        .at_start = true}}};
   parameters.push_back(
-      only_when(at_start(path_parameter(
-                    "vegetation_image", "Picture of plants",
-                    "Grey picture (PNG): white has the start values, black none; relative to the config file.")),
-                {"vegetation", "image"}));
-  parameters.push_back(
-      only_when(at_start(boolean_parameter("scatter", "Scattered start", false,
-                                           "Each cell starts at random from 0 to twice the start values.",
-                                           "Cimbura 2022, table 6.6")),
-                {"vegetation", "blowouts", "islands", "image"}));
-  for (const SpeciesInfo& info : species_infos()) {
+      {&PlantValues::vegetation_image,
+       {.key = "vegetation_image",
+        .label = "Picture of plants",
+        .default_value = "",
+        .meaning = "Grey picture (PNG): white has the start values, black none; relative to the config file.",
+        .active_if = {"vegetation", "image"},
+        .at_start = true}});
+  parameters.push_back({&PlantValues::scatter,
+                        {.key = "scatter",
+                         .label = "Scattered start",
+                         .default_value = false,
+                         .meaning = "Each cell starts at random from 0 to twice the start values.",
+                         .source = "Cimbura 2022, table 6.6",
+                         .active_if = {"vegetation", "blowouts", "islands", "image"},
+                         .at_start = true}});
+  for (std::size_t k = 0; k < species_count; ++k) {
+    const SpeciesInfo& info = species_infos()[k];
+    const auto member = [k](auto PlantSpecies::*of_it) {
+      return [ k, of_it ](PlantValues & values) -> auto& { return values.species[k].*of_it; };
+    };
     const std::string key = info.key;
     const std::string name = info.label;
-    parameters.push_back(boolean_parameter(key, "With " + name, info.grows, "Whether there is " + name + "."));
-    parameters.push_back(
-        only_when(at_start(real_parameter(key + "_start", "Start of " + name, "", 0, -1, 3,
-                                          "Effectiveness rho of " + name + " where there are plants at first.")),
-                  {"vegetation", "blowouts", "islands", "random", "image"}));
-    parameters.push_back(real_parameter(key + "_low", "Least " + name, "", info.low, -10, 0,
-                                        "Lowest rho of " + name + ": how far the ground may be spoilt for it.",
-                                        "Cimbura 2022, eq. 4.6"));
-    parameters.push_back(real_parameter(key + "_high", "Most " + name, "", info.high, 0, 10,
-                                        "Highest rho of " + name + ": how much of it may die before it holds less.",
-                                        "Cimbura 2022, eq. 4.6"));
-    parameters.push_back(curve_parameter(key + "_growth", "Growth of " + name, "1/yr", {info.growth},
-                                         {"balance, m/yr", -10, 10}, -10, 10,
-                                         "Change of rho in a year by the cell's balance of sand.", info.source));
+    parameters.push_back({member(&PlantSpecies::grows),
+                          {.key = key,
+                           .label = "With " + name,
+                           .default_value = info.grows,
+                           .meaning = "Whether there is " + name + "."}});
+    parameters.push_back({member(&PlantSpecies::start),
+                          {.key = key + "_start",
+                           .label = "Start of " + name,
+                           .default_value = 0.0,
+                           .minimum = -1,
+                           .maximum = 3,
+                           .meaning = "Effectiveness rho of " + name + " where there are plants at first.",
+                           .active_if = {"vegetation", "blowouts", "islands", "random", "image"},
+                           .at_start = true}});
+    parameters.push_back({member(&PlantSpecies::low),
+                          {.key = key + "_low",
+                           .label = "Least " + name,
+                           .default_value = info.low,
+                           .minimum = -10,
+                           .maximum = 0,
+                           .meaning = "Lowest rho of " + name + ": how far the ground may be spoilt for it.",
+                           .source = "Cimbura 2022, eq. 4.6"}});
+    parameters.push_back({member(&PlantSpecies::high),
+                          {.key = key + "_high",
+                           .label = "Most " + name,
+                           .default_value = info.high,
+                           .minimum = 0,
+                           .maximum = 10,
+                           .meaning = "Highest rho of " + name + ": how much of it may die before it holds less.",
+                           .source = "Cimbura 2022, eq. 4.6"}});
+    parameters.push_back({member(&PlantSpecies::growth),
+                          {.key = key + "_growth",
+                           .label = "Growth of " + name,
+                           .unit = "1/yr",
+                           .default_value = PiecewiseLinear{info.growth},
+                           .minimum = -10,
+                           .maximum = 10,
+                           .x_label = "balance, m/yr",
+                           .x_minimum = -10,
+                           .x_maximum = 10,
+                           .meaning = "Change of rho in a year by the cell's balance of sand.",
+                           .source = info.source}});
   }
-  parameters.push_back(boolean_parameter("spreading", "Spreading", false,
-                                         "Off: plants come up in every cell that suits them; on: only beside others or "
-                                         "from seeds, by the two chances below.",
-                                         "Nield & Baas 2008"));
-  parameters.push_back(real_parameter("lateral_chance", "Lateral spread", "1/yr", 0.2, 0, 1,
-                                      "With spreading: chance that a bare cell beside plants gets some in a year."));
-  parameters.push_back(real_parameter("establishment_chance", "Establishment", "1/yr", 0.05, 0, 1,
-                                      "With spreading: chance that any bare cell gets plants in a year."));
+  parameters.push_back({&PlantValues::spreading,
+                        {.key = "spreading",
+                         .label = "Spreading",
+                         .default_value = false,
+                         .meaning = "Off: plants come up in every cell that suits them; on: only beside others or "
+                                    "from seeds, by the two chances below.",
+                         .source = "Nield & Baas 2008"}});
+  parameters.push_back({&PlantValues::lateral_chance,
+                        {.key = "lateral_chance",
+                         .label = "Lateral spread",
+                         .unit = "1/yr",
+                         .default_value = 0.2,
+                         .minimum = 0,
+                         .maximum = 1,
+                         .meaning = "With spreading: chance that a bare cell beside plants gets some in a year."}});
+  parameters.push_back({&PlantValues::establishment_chance,
+                        {.key = "establishment_chance",
+                         .label = "Establishment",
+                         .unit = "1/yr",
+                         .default_value = 0.05,
+                         .minimum = 0,
+                         .maximum = 1,
+                         .meaning = "With spreading: chance that any bare cell gets plants in a year."}});
   return parameters;
+}
+
+}  // namespace
+
+const Binding<PlantValues>& plant_binding() {
+  static const Binding<PlantValues> binding(plant_parameters());
+  return binding;
 }
 
 std::vector<FieldInfo> plant_fields() {
@@ -133,19 +200,9 @@ std::vector<std::string> painted_plants() {
   return keys;
 }
 
-Plants::Plants(const ParameterValues& values, std::uint64_t seed)
-    : kind_(values.text("vegetation")),
-      scatter_(kind_ == "random" || values.boolean("scatter")),
-      spreading_(values.boolean("spreading")),
-      lateral_chance_(values.real("lateral_chance")),
-      establishment_chance_(values.real("establishment_chance")),
-      planting_{seed, before_the_first_step} {
-  for (std::size_t k = 0; k < species_count; ++k) {
-    const std::string key = species_infos()[k].key;
-    species_[k] = {values.boolean(key), static_cast<float>(values.real(key + "_start")),
-                   static_cast<float>(values.real(key + "_low")), static_cast<float>(values.real(key + "_high")),
-                   values.curve(key + "_growth")};
-  }
+Plants::Plants(const PlantValues& values, std::uint64_t seed)
+    : values_(values), planting_{seed, before_the_first_step} {
+  values_.scatter = values_.scatter || values_.vegetation == "random";
 }
 
 void Plants::begin(Terrain& terrain, const Grid<float>* picture) {
@@ -157,7 +214,7 @@ void Plants::begin(Terrain& terrain, const Grid<float>* picture) {
     for (int x = 0; x < terrain.nx(); ++x, ++cell) {
       const float share = start_share(x, y, terrain, picture);
       for (std::size_t k = 0; k < species_count; ++k) {
-        const Species& species = species_[k];
+        const PlantSpecies& species = values_.species[k];
         if (!species.grows) continue;
         fields[first_species + k].values[cell] = std::clamp(share * species.start, species.low, species.high);
       }
@@ -173,8 +230,8 @@ float Plants::start_share(int x, int y, const Terrain& terrain, const Grid<float
   const double east = x + 0.5;
   const double north = y + 0.5;
   float share = 0;
-  if (kind_ == "random") share = 1;
-  if (kind_ == "blowouts") {
+  if (values_.vegetation == "random") share = 1;
+  if (values_.vegetation == "blowouts") {
     share = 1;
     for (const CurvePoint& middle : blowout_middles) {
       const bool bare = std::abs(east - middle.x * extent.nx) * terrain.cell_size() < 0.5 * blowout_length &&
@@ -182,15 +239,15 @@ float Plants::start_share(int x, int y, const Terrain& terrain, const Grid<float
       if (bare) share = 0;
     }
   }
-  if (kind_ == "islands") {
+  if (values_.vegetation == "islands") {
     for (const Rectangle& island : vegetated_islands) {
       const bool inside = east >= island.west * extent.nx && east < island.east * extent.nx &&
                           north >= island.south * extent.ny && north < island.north * extent.ny;
       if (inside) share = 1;
     }
   }
-  if (kind_ == "image" && picture != nullptr) share = (*picture)[cell];
-  return scatter_ ? share * static_cast<float>(2 * random_unit(planting_, 0, cell, draw_scatter)) : share;
+  if (values_.vegetation == "image" && picture != nullptr) share = (*picture)[cell];
+  return values_.scatter ? share * static_cast<float>(2 * random_unit(planting_, 0, cell, draw_scatter)) : share;
 }
 
 float Plants::total(const Terrain& terrain, std::size_t cell) {
@@ -213,20 +270,20 @@ const Cover& Plants::cover(Terrain& terrain) {
 }
 
 bool Plants::comes_up(const Grid<std::uint8_t>& stood, std::size_t cell, std::size_t species, StepKey key) const {
-  if (!spreading_ || stood[cell] != 0) return true;
+  if (!values_.spreading || stood[cell] != 0) return true;
   const std::uint64_t number = species << 8;
-  if (random_unit(key, number, cell, draw_establishment) < establishment_chance_) return true;
+  if (random_unit(key, number, cell, draw_establishment) < values_.establishment_chance) return true;
   const int x = static_cast<int>(cell % static_cast<std::size_t>(stood.nx()));
   const int y = static_cast<int>(cell / static_cast<std::size_t>(stood.nx()));
   const bool beside = stood.wrapped(x - 1, y) != 0 || stood.wrapped(x + 1, y) != 0 || stood.wrapped(x, y - 1) != 0 ||
                       stood.wrapped(x, y + 1) != 0;
-  return beside && random_unit(key, number, cell, draw_lateral) < lateral_chance_;
+  return beside && random_unit(key, number, cell, draw_lateral) < values_.lateral_chance;
 }
 
 bool Plants::grow(Terrain& terrain, StepKey key, Executor& executor) {
   std::vector<Field>& fields = terrain.edit_fields();
   std::array<Grid<std::uint8_t>, species_count> stood;  // 1 where a species held sand before, while plants spread
-  for (std::size_t k = 0; spreading_ && k < species_count; ++k) {
+  for (std::size_t k = 0; values_.spreading && k < species_count; ++k) {
     stood[k] = Grid<std::uint8_t>(terrain.extent());
     std::ranges::transform(fields[first_species + k].values.cells(), stood[k].cells().begin(),
                            [](float rho) { return static_cast<std::uint8_t>(rho > 0); });
@@ -241,7 +298,7 @@ bool Plants::grow(Terrain& terrain, StepKey key, Executor& executor) {
       fields[balance].values[cell] = static_cast<float>(gained);
       fields[last_year].values[cell] = slabs;
       for (std::size_t k = 0; k < species_count; ++k) {
-        const Species& species = species_[k];
+        const PlantSpecies& species = values_.species[k];
         if (!species.grows) continue;
         float& rho = fields[first_species + k].values[cell];
         const double change = species.growth.at(gained);

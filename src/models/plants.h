@@ -11,15 +11,37 @@
 #include <vector>
 
 #include "compute/executor.h"
-#include "core/parameters.h"
+#include "core/binding.h"
 #include "core/random.h"
 #include "core/terrain.h"
 #include "transport/slab_law.h"
 
 namespace erg {
 
-/// The declarations of all that concerns plants.
-Parameters plant_parameters();
+/// A species of plants: how it is at the start, and how it grows.
+struct PlantSpecies {
+  bool grows = false;
+  float start = 0;  ///< rho where there are plants at first
+  float low = 0;
+  float high = 1;
+  PiecewiseLinear growth;  ///< change of rho in a year by the cell's balance, m/yr
+};
+inline constexpr std::size_t species_count = 3;
+
+/// The values of all parameters that concern plants: their declarations say what they mean.
+struct PlantValues {
+  std::int64_t steps_per_year = 80;
+  std::string vegetation;
+  std::string vegetation_image;
+  bool scatter = false;
+  std::array<PlantSpecies, species_count> species;
+  bool spreading = false;
+  double lateral_chance = 0;        ///< 1/yr
+  double establishment_chance = 0;  ///< 1/yr
+};
+
+/// Their declarations.
+const Binding<PlantValues>& plant_binding();
 /// The layers that plants need.
 std::vector<FieldInfo> plant_fields();
 /// Keys of those that people may paint: each species by itself.
@@ -28,8 +50,8 @@ std::vector<std::string> painted_plants();
 /// The plants of one run.
 class Plants {
  public:
-  /// `values`: of plant_parameters(). `seed`: of the run.
-  Plants(const ParameterValues& values, std::uint64_t seed);
+  /// `seed`: of the run.
+  Plants(const PlantValues& values, std::uint64_t seed);
 
   /// Adds the fields to a terrain without them. `picture`: share of the start values in each cell for *image*; null:
   /// none anywhere.
@@ -41,26 +63,13 @@ class Plants {
   bool grow(Terrain& terrain, StepKey key, Executor& executor);
 
  private:
-  static constexpr std::size_t species_count = 3;
-  struct Species {
-    bool grows = false;
-    float start = 0;
-    float low = 0;
-    float high = 1;
-    PiecewiseLinear growth;
-  };
   /// The start of one cell as a share of the start values.
   float start_share(int x, int y, const Terrain& terrain, const Grid<float>* picture) const;
   /// Whether plants may come up in a bare cell this year; `stood`: where, with spreading, the species stood before.
   bool comes_up(const Grid<std::uint8_t>& stood, std::size_t cell, std::size_t species, StepKey key) const;
   static float total(const Terrain& terrain, std::size_t cell);
 
-  std::array<Species, species_count> species_;
-  std::string kind_;
-  bool scatter_ = false;
-  bool spreading_ = false;
-  double lateral_chance_ = 0;
-  double establishment_chance_ = 0;
+  PlantValues values_;
   StepKey planting_;
   Cover cover_;
   std::uint64_t fields_stamp_ = 0;  // of the fields that it was made from

@@ -21,28 +21,48 @@ struct SlabFamily {
   bool timed_by_flux = true;         ///< `sand_flux` says how long a step is; false: the model says so by itself
 };
 
+/// How a step polls cells: each at random, or each exactly once.
+enum class Polling { repeated, nonrepeated };
+
+/// The values of the slab parameters, each under its key and in its unit: their declarations say what they mean. Those
+/// that a family does not declare stay as they are here.
+struct SlabValues {
+  double slab_height = 0;   ///< m
+  double repose_angle = 0;  ///< deg
+  double shadow_angle = 0;  ///< deg
+  double p_sand = 0;
+  double p_bare = 0;
+  double linear = 0;     ///< cells/slab
+  double quadratic = 0;  ///< cells/slab^2
+  Polling polling = Polling::repeated;
+  bool forced_erosion = false;
+  bool obstacles = false;
+  int neighbours = 4;
+  double sand_flux = 0;  ///< m²/year
+};
+
 /// The declarations that every model of the family has; with `linear` and `quadratic` where the hop grows with height,
 /// and `sand_flux` where a step's time follows from it.
-Parameters slab_parameters(const SlabFamily& family);
+Binding<SlabValues> slab_binding(const SlabFamily& family);
 
 /// What the values mean on a grid with cells of this size (m), in words: the repose in slabs, the fall of the shadow
 /// line.
-std::vector<std::string> explain_slabs(const ParameterValues& values, double cell_size);
+std::vector<std::string> explain_slabs(const SlabValues& values, double cell_size);
 
 /// Volume that passes over flat ground covered with sand in a step, m2 (per metre across the wind, pores and all), in a
 /// wind of this strength (cells a hop). Every cell lets one slab go on the mean, which comes to rest after 1 / p_sand
 /// hops: strength / p_sand slabs pass a cell, each slab_height * cell_size for every metre across. Where hops grow with
 /// height, strength is that at the reference height, which flat ground has. Cover, shadow and bare ground are left out.
 /// 0 where slabs never come to rest.
-double slab_flux(const ParameterValues& values, double cell_size, double strength);
+double slab_flux(const SlabValues& values, double cell_size, double strength);
 
 /// A step's time from `sand_flux`: the time in which so much sand passes in the world as in a step here.
-StepScale slab_step_scale(const ParameterValues& values, double cell_size, double strength);
+StepScale slab_step_scale(const SlabValues& values, double cell_size, double strength);
 
 /// A model that is nothing but its law. Those that do more derive from it.
 class SlabModel : public Model {
  public:
-  SlabModel(const SlabFamily& family, ParameterValues values);
+  SlabModel(const SlabFamily& family, const SlabValues& values);
 
   double quantum() const override;
   void begin(Terrain& terrain) override;
@@ -52,12 +72,9 @@ class SlabModel : public Model {
   /// The law on this terrain's grid.
   SlabLaw law(const Terrain& terrain) const;
 
- protected:
-  const ParameterValues& values() const { return values_; }  ///< of the model's parameters
-
  private:
   SlabFamily family_;
-  ParameterValues values_;
+  SlabValues values_;
 };
 
 /// The catalogue entry of a model of this family that is nothing but its law; says what step and strength are.

@@ -21,20 +21,39 @@ constexpr double metamorphism = 0.04;  // 1/K, Anderson 1976
 
 enum PackingField : std::size_t { resistance, density };
 
-Parameters snow_packing_parameters() {
-  Parameters parameters = slab_parameters(packing_family);
-  parameters.push_back(choice_parameter("fresh_density", "Fresh density", "alta", {"alta", "hedstrom_pomeroy"},
-                                        "How dense fresh snow is at a temperature.",
-                                        "Anderson 1976; Hedstrom & Pomeroy 1998"));
-  parameters.push_back(choice_parameter("snow_class", "Snow class", "tundra",
-                                        {"alpine", "maritime", "prairie", "tundra", "taiga", "lowest"},
-                                        "How snow settles over the days; lowest: on each day the class of least "
-                                        "density (taiga, which never settles, left out).",
-                                        "Sturm et al. 2010"));
-  parameters.push_back(real_parameter("packing_rate", "Packing rate", "1/day", fitted_rate, 0, 1,
-                                      "Growth of resistance on the first day at 0 deg C. Fitted: with the other "
-                                      "defaults all is frozen after 98 days at -20 deg C, as in print."));
-  return parameters;
+struct PackingValues : SlabValues {
+  std::string fresh_density;
+  std::string snow_class;
+  double packing_rate = 0;  ///< 1/day
+};
+
+Binding<PackingValues> snow_packing_binding() {
+  const Binding<PackingValues>::Entries own{
+      {&PackingValues::fresh_density,
+       {.key = "fresh_density",
+        .label = "Fresh density",
+        .default_value = "alta",
+        .choices = {"alta", "hedstrom_pomeroy"},
+        .meaning = "How dense fresh snow is at a temperature.",
+        .source = "Anderson 1976; Hedstrom & Pomeroy 1998"}},
+      {&PackingValues::snow_class,
+       {.key = "snow_class",
+        .label = "Snow class",
+        .default_value = "tundra",
+        .choices = {"alpine", "maritime", "prairie", "tundra", "taiga", "lowest"},
+        .meaning = "How snow settles over the days; lowest: on each day the class of least "
+                   "density (taiga, which never settles, left out).",
+        .source = "Sturm et al. 2010"}},
+      {&PackingValues::packing_rate,
+       {.key = "packing_rate",
+        .label = "Packing rate",
+        .unit = "1/day",
+        .default_value = fitted_rate,
+        .minimum = 0,
+        .maximum = 1,
+        .meaning = "Growth of resistance on the first day at 0 deg C. Fitted: with the other "
+                   "defaults all is frozen after 98 days at -20 deg C, as in print."}}};
+  return Binding<PackingValues>(slab_binding(packing_family), own);
 }
 
 std::vector<FieldInfo> snow_packing_fields() {
@@ -43,8 +62,8 @@ std::vector<FieldInfo> snow_packing_fields() {
            "Resistance as a density: 1 is the highest of the snow class."}};
 }
 
-const SnowClass& snow_class(const ParameterValues& values, double day) {
-  const std::string& key = values.text("snow_class");
+const SnowClass& snow_class(const PackingValues& values, double day) {
+  const std::string& key = values.snow_class;
   const SnowClass* chosen = nullptr;
   for (const SnowClass& one : snow_classes()) {
     if (one.key == key) return one;
@@ -54,21 +73,20 @@ const SnowClass& snow_class(const ParameterValues& values, double day) {
   return *chosen;
 }
 
-double start_resistance(const ParameterValues& values, double temperature) {
-  const double fresh = values.text("fresh_density") == "alta" ? fresh_density_alta(temperature)
-                                                              : fresh_density_hedstrom_pomeroy(temperature);
+double start_resistance(const PackingValues& values, double temperature) {
+  const double fresh =
+      values.fresh_density == "alta" ? fresh_density_alta(temperature) : fresh_density_hedstrom_pomeroy(temperature);
   return std::min(1.0, fresh / snow_class(values, 0).most);
 }
 
 /// Growth of the resistance on a day (0 is the first).
-double daily_growth(const ParameterValues& values, double temperature, double day) {
-  if (values.text("snow_class") == "taiga") return 0;
-  return values.real("packing_rate") * std::exp(metamorphism * temperature) *
-         std::exp(-snow_class(values, day).by_day * day);
+double daily_growth(const PackingValues& values, double temperature, double day) {
+  if (values.snow_class == "taiga") return 0;
+  return values.packing_rate * std::exp(metamorphism * temperature) * std::exp(-snow_class(values, day).by_day * day);
 }
 
 /// Days until all is frozen at a temperature that does not change; 0: never.
-int days_to_freeze(const ParameterValues& values, double temperature) {
+int days_to_freeze(const PackingValues& values, double temperature) {
   constexpr int longest = 10000;
   double r = start_resistance(values, temperature);
   for (int day = 0; day < longest; ++day) {
@@ -78,7 +96,7 @@ int days_to_freeze(const ParameterValues& values, double temperature) {
   return 0;
 }
 
-std::vector<std::string> explain_packing(const ParameterValues& values, double cell_size) {
+std::vector<std::string> explain_packing(const PackingValues& values, double cell_size) {
   std::vector<std::string> lines = explain_slabs(values, cell_size);
   std::string days = "days to freeze:";
   for (const double temperature : {-20.0, -15.0, -10.0, -5.0, 0.0}) {
@@ -94,17 +112,17 @@ std::vector<std::string> explain_packing(const ParameterValues& values, double c
 
 class SnowPacking : public SlabModel {
  public:
-  explicit SnowPacking(ParameterValues values) : SlabModel(packing_family, std::move(values)) {}
+  explicit SnowPacking(const PackingValues& values) : SlabModel(packing_family, values), values_(values) {}
 
-  void prepare(const Beginning& beginning) override { first_temperature_ = beginning.temperature; }
+  void prepare(const Beginning& beginning) override { first_temperature_ = beginning.weather.temperature; }
 
   void begin(Terrain& terrain) override {
     if (!terrain.fields().empty()) return;
     std::vector<Field>& fields = terrain.edit_fields();
     for (FieldInfo& info : snow_packing_fields()) fields.push_back({std::move(info), Grid<float>(terrain.extent())});
-    const double start = start_resistance(values(), first_temperature_);
+    const double start = start_resistance(values_, first_temperature_);
     fields[resistance].values.fill(static_cast<float>(start));
-    fields[density].values.fill(static_cast<float>(start * snow_class(values(), 0).most));
+    fields[density].values.fill(static_cast<float>(start * snow_class(values_, 0).most));
   }
 
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
@@ -112,7 +130,7 @@ class SnowPacking : public SlabModel {
     law.cover = &cover(terrain);
     StepReport report = move_slabs(executor, terrain, law, wind, key);
     const double day = static_cast<double>(key.step);
-    const double least = pack(terrain, daily_growth(values(), wind.temperature, day), snow_class(values(), day).most);
+    const double least = pack(terrain, daily_growth(values_, wind.temperature, day), snow_class(values_, day).most);
     report.finished = least >= 1;
     if (report.finished) report.why_finished = "all snow was frozen on day " + std::to_string(key.step + 1);
     return report;
@@ -143,6 +161,7 @@ class SnowPacking : public SlabModel {
     return least;
   }
 
+  PackingValues values_;
   double first_temperature_ = -10;
   Cover cover_;
   std::uint64_t fields_stamp_ = 0;  // of the fields that it was made from
@@ -151,22 +170,25 @@ class SnowPacking : public SlabModel {
 }  // namespace
 
 ModelType snow_packing() {
-  return {{.key = "snow_packing",
-           .title = "Snow packing",
-           .citation = "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
-                       "printed it is 0 at -20 deg C)",
-           .makes = "snow ripples that freeze day by day",
-           .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
-           .step = "a day; polls as many cells as the grid has",
-           .strength_label = slab_strength,
-           .material = Material::snow,
-           .asks_temperature = true},
-          snow_packing_parameters(),
-          snow_packing_fields(),
-          5,  // the cover, here and with the executor, with room
-          [](const ParameterValues& values) { return std::make_unique<SnowPacking>(values); },
-          explain_packing,
-          [](const ParameterValues& values, double cell_size, double strength) {
+  return ModelOf<PackingValues>{
+      .info = {.key = "snow_packing",
+               .title = "Snow packing",
+               .citation =
+                   "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
+                   "printed it is 0 at -20 deg C)",
+               .makes = "snow ripples that freeze day by day",
+               .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
+               .step = "a day; polls as many cells as the grid has",
+               .strength_label = slab_strength,
+               .material = Material::snow,
+               .channels = {"temperature"}},
+      .parameters = snow_packing_binding(),
+      .fields = snow_packing_fields(),
+      .working_bytes = 5,  // the cover, here and with the executor, with room
+      .make = [](const PackingValues& values) { return std::make_unique<SnowPacking>(values); },
+      .explain = explain_packing,
+      .step_scale =
+          [](const PackingValues& values, double cell_size, double strength) {
             return StepScale{seconds_a_day, slab_flux(values, cell_size, strength)};
           }};
 }

@@ -2,7 +2,7 @@
 #include <kernel_headers.inc>
 #include "sim/cuda_entries.h"
 
-namespace erg {
+namespace erg::sim {
 namespace {
 
 __device__ inline Items items_of_thread() {
@@ -25,4 +25,4 @@ const void* cuda_entry(const Kernel& kernel) {
   return nullptr;
 }
 
-}  // namespace erg
+}  // namespace erg::sim

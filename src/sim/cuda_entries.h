@@ -3,9 +3,9 @@
 
 #include "compute/kernel.h"
 
-namespace erg {
+namespace erg::sim {
 
 /// The __global__ function of a kernel; null for one that no model lists, and where Erg was built without CUDA.
 const void* cuda_entry(const Kernel& kernel);
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -1,4 +1,5 @@
-// Every executor by name: here back ends meet the models' kernels.
+#include "sim/make_executor.h"
+
 #include <algorithm>
 
 #include "core/errors.h"
@@ -6,7 +7,7 @@
 #include "process/allowance.h"
 #include "sim/cuda_entries.h"
 
-namespace erg {
+namespace erg::sim {
 namespace {
 
 /// Without a device it is `cpu`, which needs no notice where nobody asked for a device.
@@ -32,4 +33,4 @@ std::unique_ptr<Executor> make_executor(const ExecutorOptions& options) {
   throw InputError("executor", "unknown executor \"" + options.name + "\"", suggestion(options.name, executor_names()));
 }
 
-}  // namespace erg
+}  // namespace erg::sim

@@ -77,6 +77,7 @@ class Simulation {
   void check_edit() const;
 
   Config config_;
+  RunValues run_;  // of the config
   const ModelType* type_ = nullptr;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Executor> executor_;

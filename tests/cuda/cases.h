@@ -9,6 +9,7 @@
 
 #include "../laws/world.h"
 #include "cuda/cuda_backend.h"
+#include "sim/make_executor.h"
 
 namespace erg::test {
 
@@ -128,7 +129,7 @@ inline CaseEnd run_on(Executor& executor, const Case& scene) {
 
 /// Terrain with its fields, ledger, lifts, reports and readings of a run on `executor` are those of a run on `cpu`.
 inline void expect_same_as_threads(const Case& scene, Executor& executor, const std::string& name = "cuda") {
-  const CaseEnd theirs = run_on(*make_executor(scene.options()), scene);
+  const CaseEnd theirs = run_on(*sim::make_executor(scene.options()), scene);
   const CaseEnd ours = run_on(executor, scene);
   EXPECT_EQ(executor.name(), name) << executor.take_notice();
   EXPECT_NE(state_hash(theirs.terrain), state_hash(ground(scene))) << scene.name;

@@ -37,7 +37,7 @@ StoryEnd grain_story(Executor& executor) {
                     .sand = 9};
   StoryEnd end;
   Terrain terrain = world.strewn();
-  GrainModel model(world.values());
+  GrainModel model(grain_binding().read(world.values()));
   model.begin(terrain);
   std::uint64_t ways = 0;
   const auto fly = [&](std::uint64_t step, double bearing) {
@@ -68,7 +68,7 @@ TEST(CudaGrains, KeepTheTerrainOnTheDeviceBetweenSteps) {
   const auto card = std::make_shared<Card>();
   const auto executor = emulated_executor({.name = "cuda", .threads = 1}, card);
   Terrain terrain = world.strewn();
-  GrainModel model(world.values());
+  GrainModel model(grain_binding().read(world.values()));
   model.begin(terrain);
   const std::uint64_t before = state_hash(terrain);
   model.step(terrain, {270, 9}, {7, 0}, *executor);
@@ -93,7 +93,7 @@ TEST(CudaGrains, CutBondedGrainsThatCannotBeAsThreadsDo) {
   const World world{.model = "grains", .extent = {20, 20}, .sand = 20};
   const auto hash_on = [&](Executor& executor) {
     Terrain terrain = world.strewn();
-    GrainModel model(world.values());
+    GrainModel model(grain_binding().read(world.values()));
     model.begin(terrain);
     find_field(terrain.edit_fields(), bonded_field)->values[7] = 0.5f;
     model.step(terrain, {270, 9}, {7, 0}, executor);
@@ -110,7 +110,7 @@ TEST(CudaGrains, HaveTheirTerrainBroughtBackNowAndThen) {
   const World world{.model = "grains", .extent = {6, 5}, .settings = {{"sub_steps", std::int64_t{1}}}, .sand = 9};
   const auto executor = emulated_executor({.name = "cuda", .threads = 1}, std::make_shared<Card>());
   Terrain terrain = world.strewn();
-  GrainModel model(world.values());
+  GrainModel model(grain_binding().read(world.values()));
   model.begin(terrain);
   const std::uint64_t before = state_hash(terrain);
   std::uint64_t step = 0;

@@ -7,10 +7,14 @@
 #include "core/units.h"
 #include "forcing/shadow.h"
 #include "forcing/wind_frame.h"
+#include "sim/make_executor.h"
 #include "transport/slab_law.h"
 #include "world.h"
 
 namespace erg::test {
+
+using sim::make_executor;
+
 namespace {
 
 /// A law under which the bed stays flat: no shadow, slopes hardly slide, every cell polled once.

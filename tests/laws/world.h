@@ -10,6 +10,7 @@
 #include "core/terrain.h"
 #include "models/model.h"
 #include "models/slab_model.h"
+#include "sim/make_executor.h"
 
 namespace erg::test {
 
@@ -74,7 +75,7 @@ struct World {
 
   /// Runs `steps` steps and settles; the sum of what they did.
   StepReport run(Terrain& terrain, const ExecutorOptions& options, int steps, int first_step = 0) const {
-    const auto executor = make_executor(options);
+    const auto executor = sim::make_executor(options);
     return run(terrain, *executor, steps, first_step);
   }
   StepReport run(Terrain& terrain, Executor& executor, int steps, int first_step = 0) const {

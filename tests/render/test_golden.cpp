@@ -8,12 +8,12 @@
 #include "compute/executor.h"
 #include "forcing/shadow.h"
 #include "io/formats/png.h"
-#include "io/png.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "scene.h"
 #include "sim/flux_watch.h"
+#include "sim/make_executor.h"
 
 namespace erg::test {
 
@@ -60,7 +60,7 @@ Field flux_of(Terrain terrain) {
   sim::FluxWatch watch(terrain.extent());
   const ModelType& type = find_model("werner");
   const auto model = type.make(ParameterValues(type.parameters));
-  const auto executor = make_executor({.name = "cpu", .threads = 1});
+  const auto executor = sim::make_executor({.name = "cpu", .threads = 1});
   executor->count_lifts(&watch.counts());
   model->begin(terrain);
   for (std::uint64_t step = 0; step < 4; ++step) {

@@ -5,11 +5,13 @@
 
 #include "compute/executor.h"
 #include "compute/work_queue.h"
+#include "sim/make_executor.h"
 #include "sim/simulation.h"
 
 namespace erg {
 
 using sim::FluxWatch;
+using sim::make_executor;
 using sim::Simulation;
 
 namespace {

@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "core/stamp.h"
+#include "sim/make_executor.h"
 #include "small_runs.h"
+#include "transport/slab_step.h"
 
 namespace erg {
 
 using sim::Config;
+using sim::make_executor;
 using sim::Simulation;
 
 namespace {

@@ -9,6 +9,7 @@
 
 #include "compute/executor.h"
 #include "compute/thread_pool.h"
+#include "sim/make_executor.h"
 
 namespace erg {
 namespace {
@@ -78,7 +79,7 @@ TEST(ThreadPool, APartOfTheTeamThrowsLikeAWhole) {
 TEST(Executor, ThrowsWhatAPieceOfWorkThrows) {
   for (const char* name : {"serial", "cpu"}) {
     for (const int threads : {1, 2, 3, 8}) {
-      const auto executor = make_executor({.name = name, .threads = threads});
+      const auto executor = sim::make_executor({.name = name, .threads = threads});
       for (const std::int64_t item : {0, 57, 99}) {
         const auto work = [item](std::int64_t begin, std::int64_t end) {
           if (begin <= item && item < end) throw std::bad_alloc();

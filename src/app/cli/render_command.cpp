@@ -144,7 +144,7 @@ void add_render_command(CLI::App& program, Action& action) {
   command->add_option("--out", request->out, "PNG or JPEG file to write")->required();
   command
       ->add_option("--steps", request->steps, "Step to draw (default: a config's last step; a checkpoint as it stands)")
-      ->check(whole_number(0, sim::most_steps));
+      ->check(whole_number(0, most_steps));
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
