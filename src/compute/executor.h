@@ -23,7 +23,6 @@
 #include "compute/instruction_set.h"
 #include "core/errors.h"
 #include "core/terrain.h"
-#include "sim/make_executor.h"
 
 namespace erg {
 
