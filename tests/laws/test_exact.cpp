@@ -7,7 +7,7 @@
 #include "core/units.h"
 #include "forcing/shadow.h"
 #include "forcing/wind_frame.h"
-#include "transport/slab_law.h"
+#include "models/slab/slab_law.h"
 #include "world.h"
 
 namespace erg::test {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "models/snow/snow_machine.h"
 #include "sim/simulation.h"
-#include "transport/snow_machine.h"
 #include "world.h"
 
 namespace erg::test {

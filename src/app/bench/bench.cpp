@@ -10,7 +10,7 @@
 #include "app/bench/model_stage.h"
 #include "core/random.h"
 #include "core/units.h"
-#include "models/slab_model.h"
+#include "models/slab/slab_model.h"
 #include "process/allowance.h"
 #include "sim/simulation.h"
 
@@ -36,7 +36,9 @@ class LawRun {
   LawRun(const Scene& scene, const ExecutorOptions& options)
       : scene_(scene), terrain_(scene.terrain), executor_(make_executor(options)) {}
 
-  std::int64_t step() { return move_slabs(*executor_, terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls; }
+  std::int64_t step() {
+    return move_slabs(*executor_, terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls;
+  }
   const Terrain& terrain() {
     executor_->sync_to_host(terrain_);
     return terrain_;

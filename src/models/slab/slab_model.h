@@ -1,0 +1,66 @@
+// What Werner, Momiji, Bishop and the models built on them share: the slab parameters, and the law made from them.
+#pragma once
+
+#include "models/model.h"
+#include "models/slab/slab_step.h"
+
+namespace erg {
+
+/// What a time step and the wind's strength are in models of this family (ModelInfo).
+inline constexpr const char* slab_step = "one step polls as many cells as the grid has";
+inline constexpr const char* slab_strength = "hop length, cells";
+
+/// Which parts of the slab law a model of this family uses.
+struct SlabFamily {
+  double repose_angle = 30;    ///< default, degrees
+  bool lift_in_shadow = true;  ///< Werner lifts sand in the wind shadow, the others do not
+  bool hop_grows_with_height = false;
+  double deviation_weight = 0;       ///< of HopLaw
+  double slab_height = 1.0 / 3;      ///< default, m
+  const char* polling = "repeated";  ///< default
+  bool timed_by_flux = true;         ///< `sand_flux` says how long a step is; false: the model says so by itself
+};
+
+/// The declarations that every model of the family has; with `linear` and `quadratic` where the hop grows with height,
+/// and `sand_flux` where a step's time follows from it.
+Parameters slab_parameters(const SlabFamily& family);
+
+/// What the values mean on a grid with cells of this size (m), in words: the repose in slabs, the fall of the shadow
+/// line.
+std::vector<std::string> explain_slabs(const ParameterValues& values, double cell_size);
+
+/// Volume that passes over flat ground covered with sand in a step, m2 (per metre across the wind, pores and all), in a
+/// wind of this strength (cells a hop). Every cell lets one slab go on the mean, which comes to rest after 1 / p_sand
+/// hops: strength / p_sand slabs pass a cell, each slab_height * cell_size for every metre across. Where hops grow with
+/// height, strength is that at the reference height, which flat ground has. Cover, shadow and bare ground are left out.
+/// 0 where slabs never come to rest.
+double slab_flux(const ParameterValues& values, double cell_size, double strength);
+
+/// A step's time from `sand_flux`: the time in which so much sand passes in the world as in a step here.
+StepScale slab_step_scale(const ParameterValues& values, double cell_size, double strength);
+
+/// A model that is nothing but its law. Those that do more derive from it.
+class SlabModel : public Model {
+ public:
+  SlabModel(const SlabFamily& family, ParameterValues values);
+
+  double quantum() const override;
+  void begin(Terrain& terrain) override;
+  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override;
+  double shadow_fall(double cell_size) const override;
+
+  /// The law on this terrain's grid.
+  SlabLaw law(const Terrain& terrain) const;
+
+ protected:
+  const ParameterValues& values() const { return values_; }  ///< of the model's parameters
+
+ private:
+  SlabFamily family_;
+  ParameterValues values_;
+};
+
+/// The catalogue entry of a model of this family that is nothing but its law; says what step and strength are.
+ModelType slab_model_type(ModelInfo info, SlabFamily family);
+
+}  // namespace erg
