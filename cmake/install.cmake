@@ -9,7 +9,7 @@ install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION ${share
 install(FILES scripts/packages.txt DESTINATION ${share}/scripts)
 
 # The layers without pictures in OpenGL and without the window: a program that computes needs neither.
-set(library_layers core process picture forcing compute kernels transport cuda models sim analysis
+set(library_layers core process picture forcing compute kernels cuda models sim analysis
                    io/files io/config io/formats io/checkpoint)
 set(library_targets erg_options erg_io)
 foreach(layer IN LISTS library_layers)

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "models/slab_model.h"
+#include "models/slab/slab_model.h"
 
 namespace erg {
 namespace {

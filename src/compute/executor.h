@@ -76,10 +76,6 @@ class Executor {
   void parallel_for(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) {
     processor_.parallel_for(items, work);
   }
-  /// The same under the name that the files of sintering snow know.
-  void for_pieces(std::int64_t items, const std::function<void(std::int64_t begin, std::int64_t end)>& work) {
-    parallel_for(items, work);
-  }
 
   /// One step of a family's. A Step is a value with
   ///

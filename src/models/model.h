@@ -17,7 +17,7 @@
 #include "core/terrain.h"
 #include "forcing/regime.h"
 #include "models/model_start.h"
-#include "transport/step_report.h"
+#include "models/step_report.h"
 
 namespace erg {
 

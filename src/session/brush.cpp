@@ -6,7 +6,7 @@
 
 #include "core/errors.h"
 #include "core/exact_text.h"
-#include "transport/terrain_heights.h"
+#include "models/slab/terrain_heights.h"
 
 namespace erg::session {
 namespace {

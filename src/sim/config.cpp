@@ -8,7 +8,6 @@
 #include "compute/executor.h"
 #include "models/model.h"
 #include "sim/make_executor.h"
-#include "transport/executor.h"
 
 namespace erg::sim {
 namespace {

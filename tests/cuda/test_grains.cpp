@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "grain_cases.h"
-#include "models/grains.h"
+#include "models/grains/grains.h"
 #include "on_cards.h"
 #include "stories.h"
 

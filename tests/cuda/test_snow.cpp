@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "core/errors.h"
+#include "models/snow/plan.h"
+#include "models/snow/snow_step.h"
 #include "on_cards.h"
 #include "snow_cases.h"
 #include "stories.h"
-#include "transport/snow_plan.h"
-#include "transport/snow_step.h"
 
 namespace erg::test {
 namespace {

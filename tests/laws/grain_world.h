@@ -12,9 +12,11 @@
 #include "compute/executor.h"
 #include "forcing/bearing.h"
 #include "forcing/wind_frame.h"
-#include "models/grain_law.h"
-#include "models/grains.h"
+#include "models/grains/grain_law.h"
+#include "models/grains/grains.h"
 #include "sim/make_executor.h"
+#include "models/grains/grain_law.h"
+#include "models/grains/grains.h"
 #include "world.h"
 
 namespace erg::test {

@@ -7,8 +7,8 @@
 #include "core/units.h"
 #include "forcing/shadow.h"
 #include "forcing/wind_frame.h"
+#include "models/slab/slab_law.h"
 #include "sim/make_executor.h"
-#include "transport/slab_law.h"
 #include "world.h"
 
 namespace erg::test {

@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 #include "grain_world.h"
-#include "models/plant_wakes.h"
+#include "models/grains/plant_wakes.h"
 
 namespace erg::test {
 namespace {

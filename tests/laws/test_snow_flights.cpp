@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/make_executor.h"
+#include "models/snow/snow_machine.h"
 #include "sim/simulation.h"
-#include "transport/snow_machine.h"
 #include "world.h"
 
 namespace erg::test {

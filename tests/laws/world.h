@@ -9,7 +9,7 @@
 #include "compute/executor.h"
 #include "core/terrain.h"
 #include "models/model.h"
-#include "models/slab_model.h"
+#include "models/slab/slab_model.h"
 #include "sim/make_executor.h"
 
 namespace erg::test {

@@ -5,7 +5,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "models/slab_model.h"
+#include "models/slab/slab_model.h"
 #include "session/runner.h"
 #include "small_config.h"
 

@@ -6,7 +6,7 @@
 #include "../unit/message.h"
 #include "io/config/config_file.h"
 #include "models/model.h"
-#include "models/slab_model.h"
+#include "models/slab/slab_model.h"
 #include "session/setup.h"
 
 namespace erg {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/stamp.h"
+#include "models/slab/slab_step.h"
 #include "sim/make_executor.h"
 #include "small_runs.h"
-#include "transport/slab_step.h"
 
 namespace erg {
 

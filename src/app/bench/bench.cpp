@@ -10,7 +10,7 @@
 #include "app/bench/model_stage.h"
 #include "core/random.h"
 #include "core/units.h"
-#include "models/slab_model.h"
+#include "models/slab/slab_model.h"
 #include "process/allowance.h"
 #include "sim/make_executor.h"
 #include "sim/simulation.h"

@@ -16,7 +16,7 @@
 #include "core/exact_text.h"
 #include "core/terrain.h"
 #include "forcing/bearing.h"
-#include "models/grains.h"
+#include "models/grains/grains.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "sim/make_executor.h"

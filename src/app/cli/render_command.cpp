@@ -18,7 +18,7 @@
 #include "io/config/config_file.h"
 #include "io/formats/jpeg.h"
 #include "io/formats/png.h"
-#include "models/grains.h"
+#include "models/grains/grains.h"
 #include "render/gl_context.h"
 
 namespace erg::app {

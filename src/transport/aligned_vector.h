@@ -1,3 +1,0 @@
-#pragma once
-
-#include "compute/aligned_vector.h"
