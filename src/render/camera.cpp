@@ -69,7 +69,7 @@ Camera camera_preset(std::string_view name, const LandBox& land, double aspect) 
     camera.opening = 20;
     camera.distance = distance_for(land.east / aspect, 0.95, camera.opening) + 0.5 * land.north;
   } else {
-    throw InputError("camera", "there is no view " + in_quotes(name), suggestion(name, camera_presets()));
+    throw InputError("camera", "there is no view " + quoted(name), suggestion(name, camera_presets()));
   }
   return camera;
 }

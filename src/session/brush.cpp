@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "transport/executor.h"
 
 namespace erg::session {
@@ -60,7 +60,7 @@ std::vector<Touch> touches(const Terrain& terrain, const Dab& dab) {
 void check(const Dab& dab) {
   if (!(dab.radius >= smallest_brush && dab.radius <= largest_brush)) {
     throw InputError("brush", "the radius is out of range",
-                     "give " + exact_text(smallest_brush) + " to " + exact_text(largest_brush) + " cells");
+                     "give " + format_shortest(smallest_brush) + " to " + format_shortest(largest_brush) + " cells");
   }
   if (dab.material == BrushMaterial::field && !std::isfinite(dab.strength)) {
     throw InputError("brush", "the strength is no number", "give one");
@@ -75,7 +75,7 @@ bool apply_to_field(Terrain& terrain, const Dab& dab, const std::vector<Touch>& 
   const auto same_key = [&](const Field& field) { return field.info.key == dab.field; };
   const auto place = std::ranges::find_if(terrain.fields(), same_key) - terrain.fields().begin();
   if (place == static_cast<std::ptrdiff_t>(terrain.fields().size())) {
-    throw InputError("brush", "this model has no layer " + in_quotes(dab.field), "choose another");
+    throw InputError("brush", "this model has no layer " + quoted(dab.field), "choose another");
   }
   Field& field = terrain.edit_fields()[static_cast<std::size_t>(place)];
   bool changed = false;

@@ -13,7 +13,7 @@ using sim::Config;
 namespace {
 
 std::string name_of(const Config& config, std::size_t run, std::size_t runs) {
-  const std::string title = config.title.empty() ? "this run" : in_quotes(config.title);
+  const std::string title = config.title.empty() ? "this run" : quoted(config.title);
   return runs > 1 ? "run " + std::to_string(run + 1) + ", " + title + "," : title;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/joined.h"
+#include "core/join.h"
 #include "forcing/bearing.h"
 #include "models/model.h"
 #include "transport/executor.h"
@@ -45,10 +45,9 @@ class Assignment {
     }
     if (key_ == "temperature") return void(config_.temperature.first = config_.temperature.last = temperature());
     const std::vector<std::string> matches = full_keys_matching();
-    if (matches.empty()) throw InputError(place_, "unknown key " + in_quotes(key_), suggestion(key_, possible_keys()));
+    if (matches.empty()) throw InputError(place_, "unknown key " + quoted(key_), suggestion(key_, possible_keys()));
     if (matches.size() > 1) {
-      throw InputError(place_, in_quotes(key_) + " is found in several groups",
-                       "say which: " + joined(matches, " or "));
+      throw InputError(place_, quoted(key_) + " is found in several groups", "say which: " + join(matches, " or "));
     }
     set(matches.front());
   }
@@ -90,7 +89,7 @@ class Assignment {
   void set_model() {
     const std::vector<std::string> keys = model_keys();
     if (std::ranges::find(keys, value_) == keys.end()) {
-      throw InputError(place_, "unknown model " + in_quotes(value_), suggestion(value_, keys));
+      throw InputError(place_, "unknown model " + quoted(value_), suggestion(value_, keys));
     }
     change_model(config_, value_);
   }
@@ -254,7 +253,7 @@ Parameters run_parameters() {
 }
 
 Mistake not_asked_for(const std::string& key, const std::string& model_key) {
-  return {"", in_quotes(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
+  return {"", quoted(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
 }
 
 Regime starting_wind(const ModelStart& start) {

@@ -12,7 +12,7 @@
 #include "app/cli/measured_run.h"
 #include "app/cli/options.h"
 #include "app/cli/text_table.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "core/terrain.h"
 #include "forcing/bearing.h"
 #include "models/grains.h"

@@ -6,7 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/text_table.h"
-#include "core/joined.h"
+#include "core/join.h"
 #include "models/model.h"
 #include "sim/step_time.h"
 
@@ -16,7 +16,7 @@ namespace {
 std::string condition_text(const Parameter& parameter) {
   if (parameter.only_when.size() < 2) return "";
   const std::span<const std::string> condition = parameter.only_when;
-  return " Only with " + condition.front() + " " + joined(condition.subspan(1), " or ") + ".";
+  return " Only with " + condition.front() + " " + join(condition.subspan(1), " or ") + ".";
 }
 
 TextTable parameter_table(const Parameters& parameters) {
@@ -50,7 +50,7 @@ std::string weather_text(const ModelInfo& info) {
   std::vector<std::string> asked;
   if (info.asks_temperature) asked.emplace_back("temperature");
   if (info.asks_snowfall) asked.emplace_back("snowfall");
-  return asked.empty() ? "nothing" : joined(asked, ", ");
+  return asked.empty() ? "nothing" : join(asked, ", ");
 }
 
 ExitCode print_models() {

@@ -6,7 +6,7 @@
 #include "app/cli/known_words.h"
 #include "app/cli/options.h"
 #include "core/errors.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "forcing/bearing.h"
 #include "forcing/shadow.h"
 #include "io/files/given_file.h"

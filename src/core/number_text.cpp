@@ -1,10 +1,10 @@
-#include "core/exact_text.h"
+#include "core/number_text.h"
 
 #include <cstdio>
 
 namespace erg {
 
-std::string exact_text(double value) {
+std::string format_shortest(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }

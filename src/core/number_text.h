@@ -11,7 +11,7 @@
 namespace erg {
 
 /// As few digits as read back as the same number: "0.1", "-2", "1e-06".
-std::string exact_text(double value);
+std::string format_shortest(double value);
 
 /// Reads all of `text` as a number; nothing if it is none. "+3" is one.
 template <typename Number>
