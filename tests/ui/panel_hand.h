@@ -8,18 +8,18 @@
 
 #include "../unit/temporary_folder.h"
 #include "harness.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 
 namespace erg::test {
 
 class PanelHand {
  public:
-  /// Docks are 330 pixels wide, dialogs as they ask. `prepare` may put files into the folder before the studio starts.
+  /// Docks are 330 pixels wide, dialogs as they ask. `prepare` may put files into the folder before the app starts.
   explicit PanelHand(std::unique_ptr<ui::Panel> panel, const std::function<void(const TemporaryFolder&)>& prepare = {});
 
   TemporaryFolder folder;  ///< settings, state and presets lie in it; also the folder that browsers open in
-  session::Studio studio;
+  session::AppModel app;
   ui::LandPointer land;             ///< given to the panel in the next frames
   std::vector<std::string> opened;  ///< titles that the panel asked to open
   std::vector<std::string> closed;

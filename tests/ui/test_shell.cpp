@@ -27,19 +27,19 @@ namespace {
 TEST(Shell, ARecoveryThatFailsInTheEndOpensTheLog) {
   const TemporaryFolder folder;
   leave_torn_session(folder.path(), small_config());
-  session::Studio studio({{}, folder.path(), {}});
-  ASSERT_EQ(studio.lost_sessions().size(), 1u);
+  session::AppModel app({{}, folder.path(), {}});
+  ASSERT_EQ(app.crashed_sessions().size(), 1u);
   FlatStage stage;
   std::optional<Shell> shell;
   UiHarness hand{[&] {
-    studio.tick();
+    app.tick();
     if (shell) shell->draw();
   }};
-  shell.emplace(studio, stage, hand.gui());
+  shell.emplace(app, stage, hand.gui());
   hand.frames(2);
-  EXPECT_TRUE(studio.recover(studio.lost_sessions().front().folder));
+  EXPECT_TRUE(app.recover(app.crashed_sessions().front().folder));
   EXPECT_FALSE(shell->is_open("LOG"));
-  studio.runner().wait_until_still();
+  app.runner().wait_until_still();
   hand.frames(2);
   EXPECT_TRUE(shell->is_open("LOG"));
   shell->close("LOG");
@@ -76,7 +76,7 @@ TEST_F(ShellHand, StepRunAndResetDoWhatTheySay) {
 TEST_F(ShellHand, SpacePlaysAndPausesAndTheButtonSaysWhichItWillDo) {
   create();
   hand.shortcut(' ', false);
-  studio.runner().wait_for_commands();
+  app.runner().wait_for_commands();
   hand.frames(2);
   EXPECT_EQ(now().activity, Activity::running);
   EXPECT_FALSE(hand.place("RUN/step").enabled);
@@ -125,10 +125,10 @@ TEST_F(ShellHand, TheMenusReachTheViewModel) {
   hand.click("menu Run/One step");
   settle();
   EXPECT_EQ(now().step(), 1);
-  const bool dark = studio.settings().dark;
+  const bool dark = app.settings().dark;
   hand.click("menu View");
   hand.click("menu View/Dark");
-  EXPECT_NE(studio.settings().dark, dark);
+  EXPECT_NE(app.settings().dark, dark);
   hand.click("menu File");
   hand.click("menu File/Quit");
   EXPECT_TRUE(shell->is_open("UNSAVED")) << "this setup is in no file";
@@ -138,7 +138,7 @@ TEST_F(ShellHand, TheMenusReachTheViewModel) {
 
 TEST_F(ShellHand, WithEverythingInAFileItQuitsAtOnce) {
   write_config(folder / "mine.json", small_config());
-  ASSERT_TRUE(studio.open(folder / "mine.json"));
+  ASSERT_TRUE(app.open(folder / "mine.json"));
   settle();
   hand.shortcut('Q');
   EXPECT_TRUE(stage.closed);
@@ -146,9 +146,9 @@ TEST_F(ShellHand, WithEverythingInAFileItQuitsAtOnce) {
 
 TEST_F(ShellHand, QuittingWithAnUnsavedSetupAsksFirst) {
   write_config(folder / "mine.json", small_config());
-  ASSERT_TRUE(studio.open(folder / "mine.json"));
+  ASSERT_TRUE(app.open(folder / "mine.json"));
   settle();
-  studio.setup().set_title("changed");
+  app.setup().set_title("changed");
   shell->quit();
   hand.frames(3);
   EXPECT_FALSE(stage.closed);
@@ -168,7 +168,7 @@ TEST_F(ShellHand, QuittingWithAnUnsavedSetupAsksFirst) {
 }
 
 TEST_F(ShellHand, AnUnsavedSetupWithoutAFileAsksForOne) {
-  studio.settings().last_folder = folder.path().string();
+  app.settings().last_folder = folder.path().string();
   create();
   shell->quit();
   hand.frames(3);
@@ -182,9 +182,9 @@ TEST_F(ShellHand, AnUnsavedSetupWithoutAFileAsksForOne) {
 }
 
 TEST_F(ShellHand, CreatingOverAPaintedLandAsksFirst) {
-  studio.settings().last_folder = folder.path().string();
+  app.settings().last_folder = folder.path().string();
   create();
-  studio.runner().paint(0, {.x = 10.5, .y = 10.5, .radius = 3, .amount = 9}, 1);
+  app.runner().paint(0, {.x = 10.5, .y = 10.5, .radius = 3, .amount = 9}, 1);
   settle();
   const std::uint64_t painted = state_hash(*now().runs[0].terrain);
   hand.shortcut('N');
@@ -227,7 +227,7 @@ TEST_F(ShellHand, TheFluxIsCountedOnlyWhileItIsShown) {
   hand.click("show=flux");
   settle();
   ASSERT_NE(now().runs.front().flux, nullptr);
-  studio.runner().step();
+  app.runner().step();
   settle();
   double sum = 0;
   for (const float value : now().runs.front().flux->values.cells()) sum += value;
@@ -338,16 +338,16 @@ TEST_F(ShellHand, APictureThatTheMemoryDoesNotHoldIsSaidInWords) {
   hand.click("SAVE");
   hand.frames(6);
   EXPECT_TRUE(stage.orders.empty());
-  EXPECT_NE(studio.log().text().find(": there is not enough memory"), std::string::npos) << studio.log().text();
+  EXPECT_NE(app.log().text().find(": there is not enough memory"), std::string::npos) << app.log().text();
 }
 
 TEST_F(ShellHand, PanelsFoldAndColumnsAreDraggedAndBothAreRemembered) {
   create();
   hand.click("SETUP/fold");
-  EXPECT_EQ(studio.settings().layout.at("fold SETUP"), 0);
+  EXPECT_EQ(app.settings().layout.at("fold SETUP"), 0);
   const WidgetPlace edge = hand.place("edge left");
   hand.drag(edge.middle(), ImVec2(edge.middle().x + 60, edge.middle().y));
-  EXPECT_NEAR(studio.settings().layout.at("left width"), 390, 6);
+  EXPECT_NEAR(app.settings().layout.at("left width"), 390, 6);
   EXPECT_NEAR(hand.place("land").low.x, 390, 8);
   hand.key(ui::keys::function + 2);
   EXPECT_FALSE(hand.has("edge left"));

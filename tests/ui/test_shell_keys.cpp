@@ -8,7 +8,7 @@ namespace {
 
 TEST_F(ShellHand, KeysNeverActThroughADialogOrAMenu) {
   create();
-  studio.runner().step();
+  app.runner().step();
   settle();
   for (const char* const dialog : {"KEYS", "SAVE AS", "EXPORT", "PICTURE"}) {
     shell->open(dialog);

@@ -92,7 +92,7 @@ void LandWindow::take_wanted_view(const Snapshot& now, const std::vector<LandPar
 }
 
 void LandWindow::take_input(Desk& desk, WindowPart area) {
-  const Snapshot& now = desk.studio.now();
+  const Snapshot& now = desk.app.now();
   area_ = area;
   const std::size_t parts_before = parts_.size();
   parts_ = split(area, now.runs.size());
@@ -130,7 +130,7 @@ void LandWindow::take_input(Desk& desk, WindowPart area) {
   }
   under_pointer_ = std::min(under_pointer_, all.size() - 1);
   const LandPart& land = all[under_pointer_];
-  if (hovered && ImGui::IsMouseClicked(0)) desk.studio.set_active(under_pointer_);
+  if (hovered && ImGui::IsMouseClicked(0)) desk.app.set_active(under_pointer_);
   if (land.ground == nullptr) return;
   point(desk, land, hovered);
   move_camera(desk, land, hovered);
@@ -176,7 +176,7 @@ void LandWindow::draw_over(Desk& desk) {
   ImGui::Begin("##land", nullptr, bare);
   {
     const WidgetScope scope("LAND");
-    const std::vector<LandPart> all = lands(desk.studio.now());
+    const std::vector<LandPart> all = lands(desk.app.now());
     if (all.empty()) {
       draw_empty(desk);
     } else {
@@ -216,10 +216,10 @@ void LandWindow::draw_reading(const Desk& desk, const LandPart& land) const {
 
 void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& all) const {
   const Theme& theme = Gui::current().theme();
-  const std::vector<SetupDifference> differences = desk.studio.comparison().differences();
+  const std::vector<SetupDifference> differences = desk.app.comparison().differences();
   for (std::size_t index = 0; index < all.size(); ++index) {
     const WindowPart& part = all[index].part;
-    const bool chosen = index == desk.studio.active();
+    const bool chosen = index == desk.app.active();
     const ImVec2 corner = corner_of(part);
     ImGui::GetWindowDrawList()->AddRect(
         corner, {corner.x + static_cast<float>(part.width), corner.y + static_cast<float>(part.height)},
@@ -234,7 +234,7 @@ void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& al
 
 void LandWindow::draw_troubles(const Desk& desk) const {
   const Gui& gui = Gui::current();
-  const Snapshot& now = desk.studio.now();
+  const Snapshot& now = desk.app.now();
   const ImVec2 corner{static_cast<float>(area_.left) + gui.px(12),
                       static_cast<float>(area_.top + area_.height) - gui.px(44)};
   float low = corner.y;
@@ -251,7 +251,7 @@ void LandWindow::draw_troubles(const Desk& desk) const {
 
 void LandWindow::draw_empty(Desk& desk) const {
   const Gui& gui = Gui::current();
-  const bool building = desk.studio.now().activity == Activity::building;
+  const bool building = desk.app.now().activity == Activity::building;
   ImGui::SetCursorPosY(0.4f * static_cast<float>(area_.height));
   if (building) {
     centred("Making the terrain \u2026", gui.theme().accent);
@@ -268,7 +268,7 @@ void LandWindow::draw_empty(Desk& desk) const {
   }
   ImGui::SameLine();
   if (button("Create from the setup", {.tooltip = "Make the land that the SETUP panel describes", .size = {wide, 0}})) {
-    desk.studio.create();
+    desk.app.create();
   }
 }
 

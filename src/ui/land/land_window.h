@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/land/land_overlay.h"
 #include "ui/land/scenery.h"
 #include "ui/panels/panel.h"

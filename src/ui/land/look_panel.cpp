@@ -120,7 +120,7 @@ void LookPanel::draw(Desk& desk) {
 }
 
 void LookPanel::draw_what(Desk& desk) {
-  const std::vector<LookChoice> choices = look_choices(desk.studio.now(), desk.studio.shown());
+  const std::vector<LookChoice> choices = look_choices(desk.app.now(), desk.app.shown());
   const auto shown =
       std::find_if(choices.begin(), choices.end(), [&](const LookChoice& c) { return c.key == scenery_.look.show; });
   if (shown == choices.end()) scenery_.look.show = "material";  // a field that this model does not have
@@ -131,8 +131,8 @@ void LookPanel::draw_what(Desk& desk) {
     const auto chosen = std::find(labels.begin(), labels.end(), label) - labels.begin();
     scenery_.look.show = choices[static_cast<std::size_t>(chosen)].key;
   }
-  desk.studio.runner().watch_shadow(scenery_.look.show == "shadow");
-  desk.studio.runner().watch_flux(scenery_.look.show == "flux");
+  desk.app.runner().watch_shadow(scenery_.look.show == "shadow");
+  desk.app.runner().watch_flux(scenery_.look.show == "flux");
 }
 
 void LookPanel::draw_palettes() {
@@ -213,7 +213,7 @@ void LookPanel::draw_bookmarks(Desk& desk) {
              {.tooltip = "Keeps where the camera stands now, for this land and others",
               .name = "Keep view",
               .size = {third, 0}})) {
-    keep_view(desk.studio.log());
+    keep_view(desk.app.log());
   }
   std::string removed;
   for (const Bookmarks::Entry& entry : bookmarks_.entries()) {
@@ -252,7 +252,7 @@ void LookPanel::draw_extras(const Desk& desk) {
       look.grain = 1;
     }
   }
-  const Snapshot& now = desk.studio.now();
+  const Snapshot& now = desk.app.now();
   const bool torus = now.has_runs() && now.runs.front().terrain->boundary() == Boundary::torus;
   bool copies = look.copies > 0;
   if (switch_row({.label = "to the horizon",

@@ -1,5 +1,5 @@
 // EXPORT: the run as a file of every kind.
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/file_browser.h"
 #include "ui/widgets/widgets.h"
@@ -61,25 +61,25 @@ void ExportPanel::draw_export(Export& running) {
 }
 
 void ExportPanel::draw(Desk& desk) {
-  session::Studio& studio = desk.studio;
-  if (!studio.now().has_runs()) {
+  session::AppModel& app = desk.app;
+  if (!app.now().has_runs()) {
     explain("There is nothing to export yet. Open a preset from the gallery, or press CREATE.");
     return;
   }
   draw_formats();
   ImGui::Spacing();
   const ExportFormat& format = export_formats()[format_];
-  Export* running = studio.running_export();
+  Export* running = app.running_export();
   const bool busy = running != nullptr && running->state() == Export::State::writing;
   if (button("EXPORT", {.tooltip = "Asks where to, then writes while the run goes on.",
                         .unavailable = busy ? "One file is being written." : "",
                         .look = ButtonLook::accent})) {
     file_.set_endings({format.ending});
-    file_.ask(studio.settings(),
-              studio.suggested_name("-" + std::to_string(studio.now().step()) + format.suffix + format.ending));
+    file_.ask(app.settings(),
+              app.suggested_name("-" + std::to_string(app.now().step()) + format.suffix + format.ending));
   }
   if (running != nullptr) draw_export(*running);
-  if (const auto file = file_.draw(studio)) studio.start_export(*file, format.key);
+  if (const auto file = file_.draw(app)) app.start_export(*file, format.key);
 }
 
 }  // namespace

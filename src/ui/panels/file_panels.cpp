@@ -1,5 +1,5 @@
 // OPEN and SAVE AS.
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/file_browser.h"
 #include "ui/widgets/widgets.h"
@@ -13,10 +13,10 @@ class OpenPanel final : public Panel {
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {760, 480}; }
   void draw(Desk& desk) override {
-    const auto file = browser_.draw(desk.studio);
+    const auto file = browser_.draw(desk.app);
     if (file) {
       desk.leave("OPEN", session::Leaves::everything, [&desk, path = *file] {
-        if (!desk.studio.open_and_play(path)) desk.open(panel_title::log);  // it says what is wrong with the file
+        if (!desk.app.open_and_play(path)) desk.open(panel_title::log);  // it says what is wrong with the file
       });
     }
     if (file || browser_.cancelled()) desk.close(title());
@@ -33,9 +33,9 @@ class SavePanel final : public Panel {
   ImVec2 size() const override { return {760, 480}; }
   void draw(Desk& desk) override {
     const bool opened = ImGui::IsWindowAppearing();
-    if (opened) browser_.start(desk.studio.settings(), desk.studio.suggested_name(".json"));
-    const auto file = browser_.draw(desk.studio);
-    if (file && !desk.studio.save_config(*file)) desk.open(panel_title::log);
+    if (opened) browser_.start(desk.app.settings(), desk.app.suggested_name(".json"));
+    const auto file = browser_.draw(desk.app);
+    if (file && !desk.app.save_config(*file)) desk.open(panel_title::log);
     if (file || browser_.cancelled()) desk.close(title());
   }
 

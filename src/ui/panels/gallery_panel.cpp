@@ -7,14 +7,14 @@
 #include "io/config/config_file.h"
 #include "io/config/preset_list.h"
 #include "models/model.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
 namespace erg::ui {
 
 using io::Preset;
-using session::Studio;
+using session::AppModel;
 
 namespace {
 
@@ -56,7 +56,7 @@ class GalleryPanel final : public Panel {
   void draw(Desk& desk) override;
 
  private:
-  void read_cards(const Studio& studio);
+  void read_cards(const AppModel& app);
   void draw_cards(Desk& desk, const std::string& folder);
   bool draw_card(Desk& desk, const Card& card) const;
 
@@ -64,9 +64,9 @@ class GalleryPanel final : public Panel {
   bool read_ = false;
 };
 
-void GalleryPanel::read_cards(const Studio& studio) {
+void GalleryPanel::read_cards(const AppModel& app) {
   read_ = true;
-  const std::filesystem::path& folder = studio.folders().presets;
+  const std::filesystem::path& folder = app.folders().presets;
   for (const Preset& preset : io::list_presets(folder)) cards_.push_back(card_of(preset, folder));
 }
 
@@ -88,7 +88,7 @@ void draw_picture(Desk& desk, const Card& card, ImVec2 corner, ImVec2 end) {
 
 /// Opens a preset and lets it run.
 void grow(Desk& desk, const std::filesystem::path& preset) {
-  if (desk.studio.open_and_play(preset)) {
+  if (desk.app.open_and_play(preset)) {
     desk.close(panel_title::gallery);
   } else {
     desk.open(panel_title::log);
@@ -152,9 +152,9 @@ void GalleryPanel::draw_cards(Desk& desk, const std::string& folder) {
 }
 
 void GalleryPanel::draw(Desk& desk) {
-  if (!read_) read_cards(desk.studio);
+  if (!read_) read_cards(desk.app);
   if (cards_.empty()) {
-    explain("No presets were found in " + desk.studio.folders().presets.string() +
+    explain("No presets were found in " + desk.app.folders().presets.string() +
             ". The panel SETUP makes a terrain without one: press CREATE there.");
     return;
   }

@@ -1,5 +1,5 @@
 // KEYS and ABOUT.
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
@@ -45,7 +45,7 @@ class AboutPanel final : public Panel {
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {520, 210}; }
   void draw(Desk& desk) override {
-    heading("Erg " + desk.studio.provenance().version);
+    heading("Erg " + desk.app.provenance().version);
     say("Sand dunes and wind-blown snow, grown on a grid.", Gui::current().theme().text);
     ImGui::Spacing();
     explain(

@@ -1,7 +1,7 @@
 // LOG: what happened, by level.
 #include "session/log.h"
 
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
@@ -71,7 +71,7 @@ void LogPanel::draw_lines(bool news) const {
 }
 
 void LogPanel::draw(Desk& desk) {
-  Log& log = desk.studio.log();
+  Log& log = desk.app.log();
   draw_levels(log);
   ImGui::SameLine();
   const bool news = read_lines(log);

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "session/studio.h"
+#include "session/app_model.h"
 
 namespace erg::ui {
 
@@ -48,7 +48,7 @@ struct KeyHelp {
 
 /// What a panel may use in a frame.
 struct Desk {
-  session::Studio& studio;
+  session::AppModel& app;
   LandPointer land;
   /// Set by panels while they are drawn; the window acts on it after the frame.
   LandTool tool = LandTool::camera;

@@ -1,7 +1,7 @@
 // RECOVERY: what a crash left behind.
 #include <filesystem>
 
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
@@ -9,7 +9,7 @@ namespace erg::ui {
 namespace {
 
 void recover(Desk& desk, const std::filesystem::path& folder) {
-  if (desk.studio.recover(folder)) {
+  if (desk.app.recover(folder)) {
     desk.close(panel_title::recovery);
     desk.close(panel_title::gallery);
   } else {
@@ -21,7 +21,7 @@ class RecoveryPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::recovery; }
   Dock dock() const override { return Dock::dialog; }
-  bool wanted(const Desk& desk) const override { return !desk.studio.lost_sessions().empty(); }
+  bool wanted(const Desk& desk) const override { return !desk.app.crashed_sessions().empty(); }
   ImVec2 size() const override { return {560, 200}; }
   void draw(Desk& desk) override;
 
@@ -30,7 +30,7 @@ class RecoveryPanel final : public Panel {
 };
 
 bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
-  const session::LostSession lost = desk.studio.lost_sessions()[index];
+  const session::CrashedSession lost = desk.app.crashed_sessions()[index];
   const WidgetScope scope("session " + std::to_string(index + 1));
   ImGui::Separator();
   say(lost.title.empty() ? "Untitled" : lost.title, Gui::current().theme().text);
@@ -44,19 +44,19 @@ bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
   }
   ImGui::SameLine();
   if (button("DISCARD", {.tooltip = "Deletes what was saved of it, for good."})) {
-    desk.studio.discard_lost(lost.folder);
+    desk.app.discard_crashed(lost.folder);
     return true;
   }
   return false;
 }
 
 void RecoveryPanel::draw(Desk& desk) {
-  if (desk.studio.lost_sessions().empty()) {
+  if (desk.app.crashed_sessions().empty()) {
     explain("Nothing is left to recover.");
     return;
   }
   explain("Erg did not end in order last time. This was saved before:");
-  for (std::size_t index = 0; index < desk.studio.lost_sessions().size(); ++index) {
+  for (std::size_t index = 0; index < desk.app.crashed_sessions().size(); ++index) {
     if (draw_session(desk, index)) return;  // the list has changed
   }
 }

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "session/app_model.h"
 #include "session/probe.h"
-#include "session/studio.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/file_browser.h"
@@ -12,9 +12,9 @@
 
 namespace erg::ui {
 
+using session::AppModel;
 using session::CellPlace;
 using session::RunSnapshot;
-using session::Studio;
 
 namespace {
 
@@ -36,7 +36,7 @@ class SectionPanel final : public Panel {
   void draw_hint() const;
   void draw_cut(const RunSnapshot& run);
   void mark_line(Desk& desk) const;
-  void save(Studio& studio);
+  void save(AppModel& app);
 
   bool picking_ = false;
   std::optional<CellPlace> from_;
@@ -78,7 +78,7 @@ void SectionPanel::draw_buttons(Desk& desk) {
   }
   ImGui::SameLine();
   if (button("SAVE", {.tooltip = "The cut as CSV.", .unavailable = to_ ? "" : "Pick two points first."})) {
-    file_.ask(desk.studio.settings(), "section.csv");
+    file_.ask(desk.app.settings(), "section.csv");
   }
 }
 
@@ -123,19 +123,19 @@ void SectionPanel::mark_line(Desk& desk) const {
   if (line.points.size() > 1) desk.marks.push_back(line);
 }
 
-void SectionPanel::save(Studio& studio) {
-  const auto file = file_.draw(studio);
+void SectionPanel::save(AppModel& app) {
+  const auto file = file_.draw(app);
   if (!file) return;
   try {
-    session::write_section(*file, cut_, studio.provenance());
-    studio.log().information("saved " + file->string());
+    session::write_section(*file, cut_, app.provenance());
+    app.log().information("saved " + file->string());
   } catch (const InputError& error) {
-    studio.log().mistakes(error);
+    app.log().mistakes(error);
   }
 }
 
 void SectionPanel::draw(Desk& desk) {
-  const RunSnapshot* const run = desk.studio.active_run();
+  const RunSnapshot* const run = desk.app.active_run();
   if (run == nullptr) {
     explain("There is no land to cut yet.");
     return;
@@ -145,7 +145,7 @@ void SectionPanel::draw(Desk& desk) {
   draw_hint();
   if (from_ && to_) draw_cut(*run);
   mark_line(desk);
-  save(desk.studio);
+  save(desk.app);
 }
 
 }  // namespace

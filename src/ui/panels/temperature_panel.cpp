@@ -1,7 +1,7 @@
 // TEMPERATURE: over the run, for models that ask for it.
 #include <algorithm>
 
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/curve_editor.h"
 #include "ui/widgets/widgets.h"
@@ -17,7 +17,7 @@ class TemperaturePanel final : public Panel {
  public:
   const char* title() const override { return panel_title::temperature; }
   Dock dock() const override { return Dock::left; }
-  bool wanted(const Desk& desk) const override { return desk.studio.setup().model().info.asks_temperature; }
+  bool wanted(const Desk& desk) const override { return desk.app.setup().model().info.asks_temperature; }
   void draw(Desk& desk) override;
 
  private:
@@ -45,7 +45,7 @@ void TemperaturePanel::draw_ends(Setup& setup) {
 }
 
 void TemperaturePanel::draw_curve(Desk& desk) {
-  Setup& setup = desk.studio.setup();
+  Setup& setup = desk.app.setup();
   const Temperature& now = setup.config().temperature;
   if (now.first == now.last) {
     explain("The temperature stays the same over the run. Give it another end to bend its curve.");
@@ -57,13 +57,13 @@ void TemperaturePanel::draw_curve(Desk& desk) {
   frame.x = {0, static_cast<double>(std::max<std::int64_t>(1, setup.config().run.integer("steps") - 1))};
   frame.y = {now.first, now.last};
   frame.height = Gui::current().px(170);
-  if (desk.studio.now().has_runs()) frame.cursor = static_cast<double>(desk.studio.now().step());
+  if (desk.app.now().has_runs()) frame.cursor = static_cast<double>(desk.app.now().step());
   BezierCurve curve = now.curve;
   if (edit_curve("curve", curve, frame)) setup.set_temperature_curve(curve);
 }
 
 void TemperaturePanel::draw(Desk& desk) {
-  draw_ends(desk.studio.setup());
+  draw_ends(desk.app.setup());
   draw_curve(desk);
 }
 

@@ -8,9 +8,9 @@
 
 namespace erg::ui {
 
+using session::AppModel;
 using session::Export;
-using session::Studio;
-using session::UnsavedWork;
+using session::UnsavedItem;
 
 namespace {
 
@@ -24,9 +24,9 @@ class UnsavedPanel final : public Panel {
   void draw(Desk& desk) override;
 
  private:
-  void draw_buttons(Desk& desk, const UnsavedWork& work);
-  void save(Studio& studio, const UnsavedWork& work);
-  void take_file(Desk& desk, const UnsavedWork& work);
+  void draw_buttons(Desk& desk, const UnsavedItem& work);
+  void save(AppModel& app, const UnsavedItem& work);
+  void take_file(Desk& desk, const UnsavedItem& work);
   void go_on(Desk& desk);
 
   std::optional<Parting>& parting_;
@@ -40,21 +40,20 @@ void UnsavedPanel::go_on(Desk& desk) {
   if (const std::optional<Parting> parting = std::exchange(parting_, std::nullopt)) parting->act();
 }
 
-void UnsavedPanel::save(Studio& studio, const UnsavedWork& work) {
+void UnsavedPanel::save(AppModel& app, const UnsavedItem& work) {
   saving_ = true;
-  studio.set_active(work.run);
+  app.set_active(work.run);
   if (work.land) {
-    checkpoint_.ask(studio.settings(),
-                    studio.suggested_name("-" + std::to_string(studio.now().step()) + ".checkpoint"));
-  } else if (studio.has_own_file()) {
-    studio.save_config(studio.file());
+    checkpoint_.ask(app.settings(), app.suggested_name("-" + std::to_string(app.now().step()) + ".checkpoint"));
+  } else if (app.has_own_file()) {
+    app.save_config(app.file());
   } else {
-    config_.ask(studio.settings(), studio.suggested_name(".json"));
+    config_.ask(app.settings(), app.suggested_name(".json"));
   }
 }
 
-void UnsavedPanel::draw_buttons(Desk& desk, const UnsavedWork& work) {
-  const Export* const running = desk.studio.running_export();
+void UnsavedPanel::draw_buttons(Desk& desk, const UnsavedItem& work) {
+  const Export* const running = desk.app.running_export();
   const bool writing = running != nullptr && running->state() == Export::State::writing;
   if (writing) {
     ImGui::ProgressBar(static_cast<float>(running->progress()), {-1, 0}, running->path().filename().c_str());
@@ -63,7 +62,7 @@ void UnsavedPanel::draw_buttons(Desk& desk, const UnsavedWork& work) {
                                            : "Saves the setup as a config",
                       .unavailable = writing ? "A file is being written." : "",
                       .look = ButtonLook::accent})) {
-    save(desk.studio, work);
+    save(desk.app, work);
   }
   ImGui::SameLine();
   const std::string without = parting_->what + " WITHOUT SAVING";
@@ -75,20 +74,20 @@ void UnsavedPanel::draw_buttons(Desk& desk, const UnsavedWork& work) {
   }
 }
 
-void UnsavedPanel::take_file(Desk& desk, const UnsavedWork& work) {
-  if (const auto file = config_.draw(desk.studio)) {
-    if (!desk.studio.save_config(*file)) desk.open(panel_title::log);
+void UnsavedPanel::take_file(Desk& desk, const UnsavedItem& work) {
+  if (const auto file = config_.draw(desk.app)) {
+    if (!desk.app.save_config(*file)) desk.open(panel_title::log);
   }
-  if (const auto file = checkpoint_.draw(desk.studio)) {
-    desk.studio.set_active(work.run);
-    desk.studio.start_export(*file, "checkpoint");
+  if (const auto file = checkpoint_.draw(desk.app)) {
+    desk.app.set_active(work.run);
+    desk.app.start_export(*file, "checkpoint");
   }
 }
 
 void UnsavedPanel::draw(Desk& desk) {
   if (!parting_) return desk.close(title());
   if (ImGui::IsWindowAppearing()) saving_ = false;
-  const std::optional<UnsavedWork> work = desk.studio.unsaved_work(parting_->leaves);
+  const std::optional<UnsavedItem> work = desk.app.unsaved_work(parting_->leaves);
   if (!work && saving_) return go_on(desk);
   if (!work) return desk.close(title());  // it was saved or taken back elsewhere: nobody has said that it should go on
   say(work->what, Gui::current().theme().text);

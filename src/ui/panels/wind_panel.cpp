@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "forcing/bearing.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "session/wind_cycle.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/axis_ticks.h"
@@ -14,8 +14,8 @@
 
 namespace erg::ui {
 
+using session::AppModel;
 using session::sample_cycle;
-using session::Studio;
 using session::WindCycle;
 using session::WindEditor;
 
@@ -60,9 +60,9 @@ class WindPanel final : public Panel {
   void draw_strengths(WindEditor wind, const std::string& strength_label);
   void draw_swing(WindEditor wind) const;
   void draw_snowfall(WindEditor wind) const;
-  void draw_curve(WindEditor wind, const Studio& studio, const std::string& strength_label);
+  void draw_curve(WindEditor wind, const AppModel& app, const std::string& strength_label);
   void draw_cycle(const WindEditor& wind, std::int64_t step, const std::string& strength_label) const;
-  static void draw_rose(const WindEditor& wind, const Studio& studio);
+  static void draw_rose(const WindEditor& wind, const AppModel& app);
 
   std::size_t selected_ = 0;
   bool seasons_wanted_ = false;
@@ -224,7 +224,7 @@ void WindPanel::draw_snowfall(WindEditor wind) const {
   if (event != RowEvent::none) wind.set_snowfall(selected_, event == RowEvent::reset ? standard : value);
 }
 
-void WindPanel::draw_curve(WindEditor wind, const Studio& studio, const std::string& strength_label) {
+void WindPanel::draw_curve(WindEditor wind, const AppModel& app, const std::string& strength_label) {
   const Season& season = wind.season(selected_);
   if (season.first == season.last) {
     explain("The strength stays the same over this season. Give it another last strength to bend its curve.");
@@ -237,8 +237,8 @@ void WindPanel::draw_curve(WindEditor wind, const Studio& studio, const std::str
   frame.y = {season.first, season.last};
   frame.height = Gui::current().px(170);
   const WindCycle cycle = sample_cycle(wind.regime(), 2);
-  if (studio.now().has_runs() && cycle.season_at(studio.now().step()) == selected_) {
-    frame.cursor = static_cast<double>(cycle.position(studio.now().step()) - cycle.season_starts[selected_]);
+  if (app.now().has_runs() && cycle.season_at(app.now().step()) == selected_) {
+    frame.cursor = static_cast<double>(cycle.position(app.now().step()) - cycle.season_starts[selected_]);
   }
   BezierCurve curve = season.curve;
   if (edit_curve("curve", curve, frame)) wind.set_curve(selected_, curve);
@@ -265,14 +265,14 @@ void WindPanel::draw_cycle(const WindEditor& wind, std::int64_t step, const std:
   draw_plot("cycle", {&line, 1}, frame);
 }
 
-void WindPanel::draw_rose(const WindEditor& wind, const Studio& studio) {
+void WindPanel::draw_rose(const WindEditor& wind, const AppModel& app) {
   const Gui& gui = Gui::current();
-  const std::int64_t now = studio.now().step();
+  const std::int64_t now = app.now().step();
   std::int64_t end = now + wind.regime().cycle();
-  if (studio.now().has_runs()) end = std::max(end, studio.now().runs.front().config->run.integer("steps"));
+  if (app.now().has_runs()) end = std::max(end, app.now().runs.front().config->run.integer("steps"));
   const session::WindRose rose = session::wind_rose(wind.regime(), now, end, session::WindRecord::sectors);
   // What has blown is what was recorded: the seasons may be set to anything else by now.
-  draw_wind_rose("rose", studio.now().blown.sums, rose.to_blow, gui.px(150));
+  draw_wind_rose("rose", app.now().blown.sums, rose.to_blow, gui.px(150));
   ImGui::SameLine();
   ImGui::BeginGroup();
   ImGui::Dummy({1, gui.px(40)});
@@ -293,26 +293,26 @@ void WindPanel::draw_rose(const WindEditor& wind, const Studio& studio) {
 }
 
 void WindPanel::draw(Desk& desk) {
-  Studio& studio = desk.studio;
-  WindEditor wind = studio.comparison().wind();
+  AppModel& app = desk.app;
+  WindEditor wind = app.comparison().wind();
   selected_ = std::min(selected_, wind.seasons() - 1);
-  const std::string strength_label = studio.setup().model().info.strength_label;
+  const std::string strength_label = app.setup().model().info.strength_label;
   draw_kind(wind);
   selected_ = std::min(selected_, wind.seasons() - 1);
   if (shows_seasons(wind)) {
-    const std::size_t now = sample_cycle(wind.regime(), 2).season_at(studio.now().step());
+    const std::size_t now = sample_cycle(wind.regime(), 2).season_at(app.now().step());
     draw_list(wind, now);
     draw_list_buttons(wind);
   }
   draw_bearing(wind);
   draw_strengths(wind, strength_label);
   draw_swing(wind);
-  if (studio.comparison().asks_snowfall()) draw_snowfall(wind);
+  if (app.comparison().asks_snowfall()) draw_snowfall(wind);
   if (shows_seasons(wind)) {
-    draw_curve(wind, studio, strength_label);
-    if (section("The whole cycle")) draw_cycle(wind, studio.now().step(), strength_label);
+    draw_curve(wind, app, strength_label);
+    if (section("The whole cycle")) draw_cycle(wind, app.now().step(), strength_label);
   }
-  if (section("Wind rose")) draw_rose(wind, studio);
+  if (section("Wind rose")) draw_rose(wind, app);
 }
 
 }  // namespace

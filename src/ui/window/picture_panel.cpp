@@ -42,16 +42,15 @@ void PicturePanel::draw(Desk& desk) {
   switch_row({.label = "smooth edges", .tooltip = "Draws four pixels for each one and averages them"}, smooth_);
   switch_row({.label = "transparent", .tooltip = "Nothing behind the land, and no legend"}, transparent_);
   ImGui::Dummy({0, Gui::current().px(6)});
-  const std::string reason = desk.studio.now().has_runs() ? "" : "There is no land yet.";
+  const std::string reason = desk.app.now().has_runs() ? "" : "There is no land yet.";
   if (button("Save picture\u2026", {.tooltip = "Choose the file",
                                     .unavailable = reason,
                                     .name = "save picture",
                                     .look = ButtonLook::accent,
                                     .size = {Gui::current().px(150), 0}})) {
-    browser_.ask(desk.studio.settings(),
-                 desk.studio.suggested_name("-" + std::to_string(desk.studio.now().step()) + ".png"));
+    browser_.ask(desk.app.settings(), desk.app.suggested_name("-" + std::to_string(desk.app.now().step()) + ".png"));
   }
-  if (const auto chosen = browser_.draw(desk.studio)) {
+  if (const auto chosen = browser_.draw(desk.app)) {
     file_ = chosen->string();
     frames_until_drawn_ = 3;
     result_ = "Drawing \u2026";
@@ -91,15 +90,15 @@ void PicturePanel::write(Desk& desk) {
     const render::PictureSize size{static_cast<int>(width_), static_cast<int>(height_), smooth_ ? 2 : 1};
     save_({file_, size, transparent_});
     result_ = "Saved " + file_;
-    desk.studio.log().information("saved " + file_);
+    desk.app.log().information("saved " + file_);
   } catch (const InputError& error) {
     failed_ = true;
     result_ = error.mistakes().front().text();
-    desk.studio.log().mistakes(error);
+    desk.app.log().mistakes(error);
   } catch (const std::bad_alloc& error) {
     failed_ = true;
     result_ = file_ + ": " + sim::problem_of(error);
-    desk.studio.log().error(result_);
+    desk.app.log().error(result_);
   }
 }
 

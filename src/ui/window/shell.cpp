@@ -27,19 +27,19 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-std::string path_of_bookmarks(const session::StudioFolders& folders) {
+std::string path_of_bookmarks(const session::AppFolders& folders) {
   return folders.settings.empty() ? std::string() : (folders.settings / "views").string();
 }
 
 }  // namespace
 
-Shell::Shell(session::Studio& studio, Stage& stage, Gui& gui)
-    : studio_(studio),
+Shell::Shell(session::AppModel& app, Stage& stage, Gui& gui)
+    : app_(app),
       stage_(stage),
       gui_(gui),
-      bookmarks_(path_of_bookmarks(studio.folders())),
+      bookmarks_(path_of_bookmarks(app.folders())),
       land_(scenery_, [&stage](std::size_t run) { return stage.ground(run); }),
-      desk_{.studio = studio,
+      desk_{.app = app,
             .land = {},
             .tool = LandTool::camera,
             .marks = {},
@@ -66,7 +66,7 @@ Shell::Shell(session::Studio& studio, Stage& stage, Gui& gui)
 Shell::~Shell() = default;
 
 void Shell::apply_settings() {
-  const session::Settings& settings = studio_.settings();
+  const session::Settings& settings = app_.settings();
   if ((gui_.theme().kind == ThemeKind::dark) != settings.dark) {
     gui_.set_theme(settings.dark ? ThemeKind::dark : ThemeKind::light);
   }
@@ -74,12 +74,12 @@ void Shell::apply_settings() {
 }
 
 float Shell::layout(const std::string& name, float standard) const {
-  const auto& kept = studio_.settings().layout;
+  const auto& kept = app_.settings().layout;
   const auto found = kept.find(name);
   return found == kept.end() ? standard : static_cast<float>(found->second);
 }
 
-void Shell::set_layout(const std::string& name, float value) { studio_.settings().layout[name] = value; }
+void Shell::set_layout(const std::string& name, float value) { app_.settings().layout[name] = value; }
 
 void Shell::open(const std::string& title) {
   for (const auto& panel : panels_) {
@@ -97,7 +97,7 @@ void Shell::open(const std::string& title) {
 void Shell::close(const std::string& title) { std::erase(open_dialogs_, title); }
 
 void Shell::leave(const std::string& what, Leaves leaves, std::function<void()> act) {
-  if (!studio_.unsaved_work(leaves)) return act();
+  if (!app_.unsaved_work(leaves)) return act();
   parting_ = Parting{what, leaves, std::move(act)};
   open(unsaved_title);
 }
@@ -111,11 +111,11 @@ bool Shell::is_open(const std::string& title) const {
 }
 
 std::string Shell::why_nothing_to_save() const {
-  return studio_.now().has_runs() ? std::string() : "There is no land yet.";
+  return app_.now().has_runs() ? std::string() : "There is no land yet.";
 }
 
 void Shell::draw() {
-  if (studio_.take_failed_creation()) open(panel_title::log);
+  if (app_.take_failed_creation()) open(panel_title::log);
   close_menu_on_escape();
   // While a dialog, a menu or a question is open, keys are for it: none of them reaches the land behind.
   desk_.keys_taken = dialog_has_keys_ || popup_was_open_ || is_open(unsaved_title);
@@ -142,8 +142,8 @@ void Shell::draw() {
   draw_dialogs();
   land_.draw_over(desk_);
   if (const std::string missing = gui_.take_missing_letters(); !missing.empty()) {
-    studio_.log().warning("no font on this machine has the letters " + missing +
-                          ": install one that does, such as fonts-noto-core or fonts-noto-cjk");
+    app_.log().warning("no font on this machine has the letters " + missing +
+                       ": install one that does, such as fonts-noto-core or fonts-noto-cjk");
   }
 }
 
@@ -161,8 +161,8 @@ void Shell::draw_menu_bar() {
   if (!ImGui::BeginMainMenuBar()) return;
   ImGui::TextColored(gui_.theme().accent, "Erg");
   draw_menus(actions_);
-  std::string title = studio_.title();
-  if (studio_.unsaved()) title += "   \u2022 unsaved";
+  std::string title = app_.title();
+  if (app_.unsaved()) title += "   \u2022 unsaved";
   gui_.need(title);
   const float wide = ImGui::CalcTextSize(title.c_str()).x + gui_.px(16);
   const float room = ImGui::GetWindowWidth() - wide;
@@ -235,8 +235,8 @@ void Shell::draw_foot(float top, float height) {
   ImGui::SetNextWindowSize({ImGui::GetIO().DisplaySize.x, height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin("##foot", nullptr, fixed | ImGuiWindowFlags_NoScrollbar);
-  run_bar_.draw(studio_);
-  if (draw_status(studio_, stage_.frames_per_second(), land_.notes())) open(panel_title::log);
+  run_bar_.draw(app_);
+  if (draw_status(app_, stage_.frames_per_second(), land_.notes())) open(panel_title::log);
   ImGui::End();
   ImGui::PopStyleVar();
 }

@@ -47,7 +47,7 @@ class Stage {
 class Shell {
  public:
   /// All three must outlive it.
-  Shell(session::Studio& studio, Stage& stage, Gui& gui);
+  Shell(session::AppModel& app, Stage& stage, Gui& gui);
   ~Shell();
   Shell(const Shell&) = delete;
   Shell& operator=(const Shell&) = delete;
@@ -86,7 +86,7 @@ class Shell {
   void set_layout(const std::string& name, float value);
   std::string why_nothing_to_save() const;
 
-  session::Studio& studio_;
+  session::AppModel& app_;
   Stage& stage_;
   Gui& gui_;
   Scenery scenery_;

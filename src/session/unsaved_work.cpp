@@ -1,4 +1,4 @@
-#include "session/kept_work.h"
+#include "session/unsaved_work.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,36 +19,36 @@ std::string name_of(const Config& config, std::size_t run, std::size_t runs) {
 
 }  // namespace
 
-void KeptWork::start_from(const std::filesystem::path& file, Config config) {
+void UnsavedWork::start_from(const std::filesystem::path& file, Config config) {
   files_.clear();
   setup_saved(file, std::move(config));
 }
 
-void KeptWork::setup_saved(const std::filesystem::path& file, Config config) {
+void UnsavedWork::setup_saved(const std::filesystem::path& file, Config config) {
   files_.insert_or_assign(file, std::move(config));
 }
 
-void KeptWork::land_saved(const Snapshot& snapshot, std::size_t run) {
+void UnsavedWork::land_saved(const Snapshot& snapshot, std::size_t run) {
   if (creation_ != snapshot.creations) lands_.clear();
   creation_ = snapshot.creations;
   std::erase_if(lands_, [run](const Land& land) { return land.run == run; });
   lands_.push_back({run, snapshot.runs[run].last_stroke, snapshot.seconds_worked});
 }
 
-void KeptWork::recovered(const Snapshot& snapshot) { recovered_creation_ = snapshot.creations; }
+void UnsavedWork::recovered(const Snapshot& snapshot) { recovered_creation_ = snapshot.creations; }
 
-bool KeptWork::has(const Config& config) const {
+bool UnsavedWork::has(const Config& config) const {
   return std::ranges::any_of(files_, [&](const auto& file) { return file.second == config; });
 }
 
-const KeptWork::Land* KeptWork::kept_land(const Snapshot& snapshot, std::size_t run) const {
+const UnsavedWork::Land* UnsavedWork::kept_land(const Snapshot& snapshot, std::size_t run) const {
   if (creation_ != snapshot.creations) return nullptr;
   const auto found = std::ranges::find(lands_, run, &Land::run);
   return found == lands_.end() ? nullptr : &*found;
 }
 
 /// "" when it is none, or kept.
-std::string KeptWork::why_land_is_work(const Snapshot& snapshot, std::size_t run) const {
+std::string UnsavedWork::why_land_is_work(const Snapshot& snapshot, std::size_t run) const {
   const Land* const kept = kept_land(snapshot, run);
   // After a reset the land has cost less than what was kept of the one before it.
   const bool kept_this = kept != nullptr && kept->seconds_worked <= snapshot.seconds_worked;
@@ -60,24 +60,24 @@ std::string KeptWork::why_land_is_work(const Snapshot& snapshot, std::size_t run
   return "has grown for " + std::to_string(std::lround(worked / 60)) + " minutes";
 }
 
-std::optional<UnsavedWork> KeptWork::missing_land(const Snapshot& snapshot) const {
+std::optional<UnsavedItem> UnsavedWork::missing_land(const Snapshot& snapshot) const {
   const std::size_t runs = snapshot.runs.size();
   for (std::size_t run = 0; run < runs; ++run) {
     const std::string why = why_land_is_work(snapshot, run);
     if (why.empty()) continue;
-    return UnsavedWork{
+    return UnsavedItem{
         run, true, "The land of " + name_of(*snapshot.runs[run].config, run, runs) + " " + why + " and is in no file."};
   }
   return std::nullopt;
 }
 
-std::optional<UnsavedWork> KeptWork::missing(const Comparison& comparison, const Snapshot& snapshot,
-                                             Leaves leaves) const {
+std::optional<UnsavedItem> UnsavedWork::missing(const Comparison& comparison, const Snapshot& snapshot,
+                                                Leaves leaves) const {
   if (auto land = missing_land(snapshot); land || leaves == Leaves::land) return land;
   for (std::size_t run = 0; run < comparison.size(); ++run) {
     const Config config = comparison.config(run);
     if (has(config)) continue;
-    return UnsavedWork{run, false,
+    return UnsavedItem{run, false,
                        "The setup of " + name_of(config, run, comparison.size()) + " was changed and is in no file."};
   }
   return std::nullopt;

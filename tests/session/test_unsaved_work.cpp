@@ -1,100 +1,100 @@
 // What stands in no file: nothing that a person has made is left behind without a question.
-#include "session/kept_work.h"
+#include "session/unsaved_work.h"
 
 #include <gtest/gtest.h>
 
 #include "../unit/temporary_folder.h"
 #include "io/config/config_file.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "small_config.h"
 
 namespace erg {
 
 using io::write_config;
-using session::KeptWork;
+using session::AppModel;
 using session::Leaves;
-using session::Studio;
+using session::UnsavedWork;
 
 namespace {
 
 using test::small_config;
 
-struct KeptWorkTest : testing::Test {
+struct UnsavedWorkTest : testing::Test {
   TemporaryFolder folder;
-  Studio studio{{folder / "settings", folder / "state", folder / "presets"}};
+  AppModel app{{folder / "settings", folder / "state", folder / "presets"}};
 
   void SetUp() override {
     write_config(folder / "small.json", small_config());
-    ASSERT_TRUE(studio.open(folder / "small.json"));
+    ASSERT_TRUE(app.open(folder / "small.json"));
     settle();
   }
   void settle() {
-    studio.runner().wait_until_still();
-    studio.tick();
-    studio.runner().wait_until_still();  // what the tick itself gave
-    studio.tick();
+    app.runner().wait_until_still();
+    app.tick();
+    app.runner().wait_until_still();  // what the tick itself gave
+    app.tick();
   }
   void paint(std::size_t run, std::uint64_t stroke) {
-    studio.runner().paint(run, {.x = 20.5, .y = 20.5, .radius = 3, .amount = 9}, stroke);
+    app.runner().paint(run, {.x = 20.5, .y = 20.5, .radius = 3, .amount = 9}, stroke);
     settle();
   }
   void export_as(const std::string& format) {
-    studio.start_export(folder / ("kept." + format), format);
-    while (studio.running_export()->state() == session::Export::State::writing) studio.tick();
-    studio.tick();
+    app.start_export(folder / ("kept." + format), format);
+    while (app.running_export()->state() == session::Export::State::writing) app.tick();
+    app.tick();
   }
   std::string unsaved(Leaves leaves = Leaves::everything) {
-    const auto work = studio.unsaved_work(leaves);
+    const auto work = app.unsaved_work(leaves);
     return work ? work->what : "";
   }
 };
 
-TEST_F(KeptWorkTest, ARunThatOneCanGrowAgainIsNoWork) {
-  studio.runner().run(30);
+TEST_F(UnsavedWorkTest, ARunThatOneCanGrowAgainIsNoWork) {
+  app.runner().run(30);
   settle();
   EXPECT_EQ(unsaved(), "");
 }
 
-TEST_F(KeptWorkTest, AnEditedSetupIsWorkUntilItIsSavedOrTakenBack) {
-  const double before = studio.setup().config().parameters.real("p_sand");
-  studio.setup().set("parameters", "p_sand", 0.5);
+TEST_F(UnsavedWorkTest, AnEditedSetupIsWorkUntilItIsSavedOrTakenBack) {
+  const double before = app.setup().config().parameters.real("p_sand");
+  app.setup().set("parameters", "p_sand", 0.5);
   EXPECT_NE(unsaved().find("setup"), std::string::npos) << unsaved();
   EXPECT_EQ(unsaved(Leaves::land), "") << "CREATE leaves the setup as it is";
-  studio.setup().set("parameters", "p_sand", before);
+  app.setup().set("parameters", "p_sand", before);
   EXPECT_EQ(unsaved(), "");
-  studio.setup().set("parameters", "p_sand", 0.5);
-  ASSERT_TRUE(studio.save_config(folder / "other.json"));
+  app.setup().set("parameters", "p_sand", 0.5);
+  ASSERT_TRUE(app.save_config(folder / "other.json"));
   EXPECT_EQ(unsaved(), "");
 }
 
-TEST_F(KeptWorkTest, APaintedLandIsWorkUntilACheckpointHasIt) {
+TEST_F(UnsavedWorkTest, APaintedLandIsWorkUntilACheckpointHasIt) {
   paint(0, 1);
   EXPECT_NE(unsaved(Leaves::land).find("painted"), std::string::npos) << unsaved();
-  EXPECT_TRUE(studio.unsaved_work(Leaves::everything)->land);
-  studio.runner().undo();
+  EXPECT_TRUE(app.unsaved_work(Leaves::everything)->land);
+  app.runner().undo();
   settle();
   EXPECT_EQ(unsaved(), "");
-  studio.runner().redo();
+  app.runner().redo();
   settle();
   EXPECT_NE(unsaved(), "");
   export_as("checkpoint");
   EXPECT_EQ(unsaved(), "");
   paint(0, 2);
   EXPECT_NE(unsaved(), "") << "another stroke since";
-  studio.runner().reset();
+  app.runner().reset();
   settle();
   EXPECT_EQ(unsaved(), "") << "a reset takes the strokes away";
 }
 
-TEST_F(KeptWorkTest, ACheckpointKeepsTheSetupToo) {
-  studio.setup().set("parameters", "p_sand", 0.5);
+TEST_F(UnsavedWorkTest, ACheckpointKeepsTheSetupToo) {
+  app.setup().set("parameters", "p_sand", 0.5);
   settle();
   export_as("checkpoint");
   EXPECT_EQ(unsaved(), "");
 }
 
-TEST_F(KeptWorkTest, AnExportedConfigKeepsTheSetupAndAPictureNothing) {
-  studio.setup().set("parameters", "p_sand", 0.5);
+TEST_F(UnsavedWorkTest, AnExportedConfigKeepsTheSetupAndAPictureNothing) {
+  app.setup().set("parameters", "p_sand", 0.5);
   settle();
   export_as("png");
   EXPECT_NE(unsaved(), "");
@@ -105,49 +105,49 @@ TEST_F(KeptWorkTest, AnExportedConfigKeepsTheSetupAndAPictureNothing) {
   EXPECT_NE(unsaved(), "") << "a config has no strokes";
 }
 
-TEST_F(KeptWorkTest, OfComparedRunsTheOneThatWasEditedOrPaintedIsNamed) {
-  studio.comparison().add_copy_of(0);
-  studio.comparison().setup(1).replace(small_config());
-  ASSERT_TRUE(studio.create());
+TEST_F(UnsavedWorkTest, OfComparedRunsTheOneThatWasEditedOrPaintedIsNamed) {
+  app.comparison().add_copy_of(0);
+  app.comparison().setup(1).replace(small_config());
+  ASSERT_TRUE(app.create());
   settle();
   EXPECT_EQ(unsaved(), "");
-  studio.comparison().setup(1).set("parameters", "p_sand", 0.5);
-  EXPECT_EQ(studio.unsaved_work(Leaves::everything)->run, 1u);
+  app.comparison().setup(1).set("parameters", "p_sand", 0.5);
+  EXPECT_EQ(app.unsaved_work(Leaves::everything)->run, 1u);
   EXPECT_NE(unsaved().find("run 2"), std::string::npos) << unsaved();
   paint(1, 1);
-  EXPECT_TRUE(studio.unsaved_work(Leaves::everything)->land);
-  EXPECT_EQ(studio.unsaved_work(Leaves::everything)->run, 1u);
+  EXPECT_TRUE(app.unsaved_work(Leaves::everything)->land);
+  EXPECT_EQ(app.unsaved_work(Leaves::everything)->run, 1u);
 }
 
-TEST_F(KeptWorkTest, WhatTookLongToGrowIsWorkUntilItIsKept) {
-  studio.runner().step();
+TEST_F(UnsavedWorkTest, WhatTookLongToGrowIsWorkUntilItIsKept) {
+  app.runner().step();
   settle();
-  session::Snapshot now = studio.now();
-  KeptWork kept;
+  session::Snapshot now = app.now();
+  UnsavedWork kept;
   kept.start_from("small.json", small_config());
-  const auto is_work = [&] { return kept.missing(studio.comparison(), now, Leaves::land).has_value(); };
+  const auto is_work = [&] { return kept.missing(app.comparison(), now, Leaves::land).has_value(); };
   EXPECT_GT(now.seconds_worked, 0);
-  now.seconds_worked = KeptWork::long_work - 1;
+  now.seconds_worked = UnsavedWork::long_work - 1;
   EXPECT_FALSE(is_work());
-  now.seconds_worked = KeptWork::long_work + 1;
+  now.seconds_worked = UnsavedWork::long_work + 1;
   EXPECT_TRUE(is_work());
   kept.land_saved(now, 0);
   EXPECT_FALSE(is_work());
-  now.seconds_worked += KeptWork::long_work;
+  now.seconds_worked += UnsavedWork::long_work;
   EXPECT_TRUE(is_work());
 }
 
-TEST_F(KeptWorkTest, WhatACrashLeftIsWorkWhenItIsRecovered) {
-  studio.runner().run(4);
+TEST_F(UnsavedWorkTest, WhatACrashLeftIsWorkWhenItIsRecovered) {
+  app.runner().run(4);
   settle();
-  studio.rescue();
+  app.rescue();
   // The program that is gone keeps no lock.
   std::filesystem::path lost;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "state")) lost = entry.path();
   std::filesystem::copy(lost, folder / "state/session-1");
-  Studio next({folder / "settings", folder / "state", folder / "presets"});
-  ASSERT_EQ(next.lost_sessions().size(), 1u);
-  ASSERT_TRUE(next.recover(next.lost_sessions().at(0).folder));
+  AppModel next({folder / "settings", folder / "state", folder / "presets"});
+  ASSERT_EQ(next.crashed_sessions().size(), 1u);
+  ASSERT_TRUE(next.recover(next.crashed_sessions().at(0).folder));
   next.runner().wait_until_still();
   next.tick();
   const auto work = next.unsaved_work(Leaves::everything);
@@ -163,21 +163,21 @@ TEST_F(KeptWorkTest, WhatACrashLeftIsWorkWhenItIsRecovered) {
 TEST(FailedStep, SavesTheSessionAndSaysWhere) {
   const TemporaryFolder folder;
   int steps_left = 5;
-  Studio studio({folder / "settings", folder / "state", {}}, [&steps_left] {
+  AppModel app({folder / "settings", folder / "state", {}}, [&steps_left] {
     if (steps_left-- == 0) throw std::runtime_error("the device is gone");
   });
   write_config(folder / "small.json", small_config());
-  ASSERT_TRUE(studio.open(folder / "small.json"));
-  studio.runner().play();
-  studio.runner().wait_until_still();
-  studio.tick();
-  EXPECT_EQ(studio.now().activity, session::Activity::failed);
+  ASSERT_TRUE(app.open(folder / "small.json"));
+  app.runner().play();
+  app.runner().wait_until_still();
+  app.tick();
+  EXPECT_EQ(app.now().activity, session::Activity::failed);
   std::size_t saved = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "state")) {
     if (entry.path().filename() == "session.json") ++saved;
   }
   EXPECT_EQ(saved, 1u);
-  EXPECT_NE(studio.log().text().find("the terrain is saved in"), std::string::npos) << studio.log().text();
+  EXPECT_NE(app.log().text().find("the terrain is saved in"), std::string::npos) << app.log().text();
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace erg::session {
 
 /// Something that stands in no file.
-struct UnsavedWork {
+struct UnsavedItem {
   std::size_t run = 0;
   /// The land itself, which a checkpoint keeps (its setup with it); false: the setup only, which a config keeps.
   bool land = false;
@@ -29,7 +29,7 @@ enum class Leaves {
 
 /// Dunes that grew by themselves can be grown again from their setup, to the bit. So a land counts as work when it was
 /// painted on, when it was recovered after a crash, or when growing it again would take long.
-class KeptWork {
+class UnsavedWork {
  public:
   /// Steps that took this long together, in seconds, are worth a question.
   static constexpr double long_work = 300;
@@ -45,7 +45,7 @@ class KeptWork {
   /// Whether a file has this setup.
   bool has(const sim::Config& config) const;
   /// The first thing that would be lost; lands come first, for a checkpoint keeps the setup too.
-  std::optional<UnsavedWork> missing(const Comparison& comparison, const Snapshot& snapshot, Leaves leaves) const;
+  std::optional<UnsavedItem> missing(const Comparison& comparison, const Snapshot& snapshot, Leaves leaves) const;
 
  private:
   struct Land {
@@ -55,7 +55,7 @@ class KeptWork {
   };
   const Land* kept_land(const Snapshot& snapshot, std::size_t run) const;
   std::string why_land_is_work(const Snapshot& snapshot, std::size_t run) const;
-  std::optional<UnsavedWork> missing_land(const Snapshot& snapshot) const;
+  std::optional<UnsavedItem> missing_land(const Snapshot& snapshot) const;
 
   std::map<std::filesystem::path, sim::Config> files_;
   std::uint64_t creation_ = 0;  ///< the runs that `lands_` speaks of
