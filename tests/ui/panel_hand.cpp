@@ -36,20 +36,20 @@ PanelHand::PanelHand(std::unique_ptr<Panel> panel, const std::function<void(cons
 void PanelHand::draw() {
   if (app.settings().last_folder.empty()) app.settings().last_folder = folder.path().string();
   app.tick();
-  ui::Desk desk{app, land, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
-  desk.open = [this](const std::string& title) { opened.push_back(title); };
-  desk.close = [this](const std::string& title) { closed.push_back(title); };
-  desk.leave = [](const std::string&, session::Leaves, const std::function<void()>& act) { act(); };
+  ui::PanelContext context{app, land, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
+  context.open = [this](const std::string& title) { opened.push_back(title); };
+  context.close = [this](const std::string& title) { closed.push_back(title); };
+  context.leave = [](const std::string&, session::Leaves, const std::function<void()>& act) { act(); };
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size_of(*panel_));
   ImGui::Begin(panel_->title(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
   {
     const ui::WidgetScope scope(panel_->title());
-    panel_->draw(desk);
+    panel_->draw(context);
   }
   ImGui::End();
-  tool = desk.tool;
-  marks = desk.marks;
+  tool = context.tool;
+  marks = context.marks;
 }
 
 void PanelHand::create() {

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "flat_stage.h"
+#include "flat_host.h"
 #include "harness.h"
 #include "panel_hand.h"
 
@@ -15,7 +15,7 @@ class ShellHand : public testing::Test {
  protected:
   TemporaryFolder folder;
   session::AppModel app{session::AppFolders{folder.path() / "settings", folder.path() / "state", {}}};
-  FlatStage stage;
+  FlatHost host;
   // The shell needs an ImGui context, which the harness makes; it is there from the first frame on.
   std::unique_ptr<ui::Shell> shell;
   UiHarness hand{[this] {
@@ -24,7 +24,7 @@ class ShellHand : public testing::Test {
   }};
 
   void SetUp() override {
-    shell = std::make_unique<ui::Shell>(app, stage, hand.gui());
+    shell = std::make_unique<ui::Shell>(app, host, hand.gui());
     hand.frames(2);
   }
   void TearDown() override { shell.reset(); }

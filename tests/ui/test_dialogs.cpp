@@ -147,8 +147,8 @@ TEST(LogPanel, FiltersByLevelCopiesAndClears) {
 
 TEST(RecoveryPanel, ShowsNothingAfterAnOrderlyEnd) {
   PanelHand panel(make_recovery_panel());
-  const ui::Desk desk{panel.app, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
-  EXPECT_FALSE(make_recovery_panel()->wanted(desk));
+  const ui::PanelContext context{panel.app, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
+  EXPECT_FALSE(make_recovery_panel()->wanted(context));
 }
 
 /// What a crash leaves at step 3 of the small terrain.

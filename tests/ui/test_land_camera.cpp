@@ -1,7 +1,7 @@
 // The camera in a person's hand.
 #include <gtest/gtest.h>
 
-#include "flat_stage.h"
+#include "flat_host.h"
 
 namespace erg::test {
 

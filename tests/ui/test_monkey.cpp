@@ -4,7 +4,7 @@
 #include <string>
 
 #include "../unit/temporary_folder.h"
-#include "flat_stage.h"
+#include "flat_host.h"
 #include "harness.h"
 #include "io/config/config_file.h"
 #include "models/model.h"
@@ -38,7 +38,7 @@ class MonkeyAtTheShell : public testing::TestWithParam<unsigned> {
 
   TemporaryFolder folder;
   std::unique_ptr<AppModel> app;
-  FlatStage stage;
+  FlatHost host;
   std::unique_ptr<Shell> shell;
   UiHarness hand{[this] {
                    if (!shell) return;
@@ -52,7 +52,7 @@ class MonkeyAtTheShell : public testing::TestWithParam<unsigned> {
     app = std::make_unique<AppModel>(session::AppFolders{folder / "settings", folder / "state", folder / "presets"});
     app->settings().last_folder = folder.path().string();
     app->setup().replace(small_config());
-    shell = std::make_unique<Shell>(*app, stage, hand.gui());
+    shell = std::make_unique<Shell>(*app, host, hand.gui());
     ASSERT_TRUE(app->create());
     app->runner().wait_for_commands();
   }

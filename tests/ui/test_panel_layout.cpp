@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "flat_stage.h"
+#include "flat_host.h"
 #include "io/formats/png.h"
 #include "panel_hand.h"
 #include "picture_of_gui.h"
@@ -79,11 +79,11 @@ void look_at(PanelHand& panel, const char* title) {
 }
 
 TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
-  ui::Scenery scenery;
+  ui::ViewState view_state;
   ui::Bookmarks bookmarks{std::filesystem::path()};
   bookmarks.keep("over the lee", {});
   std::vector<std::unique_ptr<Panel>> panels = make_panels();
-  panels.push_back(ui::make_look_panel(scenery, bookmarks));
+  panels.push_back(ui::make_look_panel(view_state, bookmarks));
   panels.push_back(ui::make_picture_panel([](const ui::PictureOrder&) {}));
   for (std::unique_ptr<Panel>& made : panels) {
     const std::string title = made->title();
@@ -115,7 +115,7 @@ TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
 struct WholeWindow {
   explicit WholeWindow(float scale) : app(folders()), hand([this] { draw(); }, {1280 * scale, 800 * scale}, scale) {
     app.settings().scale = scale;
-    shell = std::make_unique<Shell>(app, stage, hand.gui());
+    shell = std::make_unique<Shell>(app, host, hand.gui());
     Config config = small_config();
     config.title = "Barchan field";
     app.setup().replace(config);
@@ -156,7 +156,7 @@ struct WholeWindow {
 
   TemporaryFolder folder;
   AppModel app;
-  FlatStage stage;
+  FlatHost host;
   std::unique_ptr<Shell> shell;
   UiHarness hand;
 };

@@ -34,14 +34,14 @@ TEST_F(ShellHand, KeysNeverActThroughADialogOrAMenu) {
 
 TEST_F(ShellHand, TheLandDoesNotFlyWhileADialogIsTypedInto) {
   create();
-  const picture::Camera before = shell->scenery().camera.camera();
+  const picture::Camera before = shell->view_state().camera.camera();
   shell->open("KEYS");
   hand.frames(3);
   hand.shortcut('W', false);
-  EXPECT_EQ(shell->scenery().camera.camera(), before);
+  EXPECT_EQ(shell->view_state().camera.camera(), before);
   hand.key(ui::keys::escape);
   hand.shortcut('W', false);
-  EXPECT_NE(shell->scenery().camera.camera(), before);
+  EXPECT_NE(shell->view_state().camera.camera(), before);
 }
 
 TEST_F(ShellHand, EscapeClosesMenusAndListsAndTheNextClickCounts) {
@@ -77,11 +77,11 @@ TEST_F(ShellHand, CreateShowsTheNewLandWhole) {
   hand.move(hand.place("land").middle());
   hand.scroll(8);
   hand.frames(2);
-  const double near = shell->scenery().camera.camera().distance;
+  const double near = shell->view_state().camera.camera().distance;
   hand.click("SETUP/CREATE");
   settle();
   hand.frames(3);
-  EXPECT_GT(shell->scenery().camera.camera().distance, near);
+  EXPECT_GT(shell->view_state().camera.camera().distance, near);
 }
 
 }  // namespace

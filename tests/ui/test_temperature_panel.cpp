@@ -14,10 +14,10 @@ namespace {
 TEST(TemperaturePanel, IsWantedForSnowOnly) {
   PanelHand panel(make_wind_panel());
   const auto temperature = make_temperature_panel();
-  const ui::Desk desk{panel.app, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
-  EXPECT_FALSE(temperature->wanted(desk));
+  const ui::PanelContext context{panel.app, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
+  EXPECT_FALSE(temperature->wanted(context));
   panel.app.setup().choose_material(Material::snow);
-  EXPECT_TRUE(temperature->wanted(desk));
+  EXPECT_TRUE(temperature->wanted(context));
 }
 
 TEST(TemperaturePanel, EndsAreTypedAndTheCurveBetweenThemIsBent) {

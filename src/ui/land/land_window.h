@@ -7,7 +7,7 @@
 
 #include "session/app_model.h"
 #include "ui/land/land_overlay.h"
-#include "ui/land/scenery.h"
+#include "ui/land/view_state.h"
 #include "ui/panels/panel.h"
 
 namespace erg::ui {
@@ -18,12 +18,13 @@ using GroundOfRun = std::function<const LandGround*(std::size_t run)>;
 /// Holds no land itself: it looks at the snapshot, and asks for the ground that was drawn.
 class LandWindow {
  public:
-  LandWindow(Scenery& scenery, GroundOfRun ground) : scenery_(scenery), ground_(std::move(ground)) {}
+  LandWindow(ViewState& view_state, GroundOfRun ground) : view_state_(view_state), ground_(std::move(ground)) {}
 
-  /// Takes the rectangle of the window that is left for the land, and what the pointer does there. Fills in desk.land.
-  void take_input(Desk& desk, WindowPart area);
+  /// Takes the rectangle of the window that is left for the land, and what the pointer does there. Fills in
+  /// context.land.
+  void take_input(PanelContext& context, WindowPart area);
   /// Draws over the land, after the panels have said what they want to see there.
-  void draw_over(Desk& desk);
+  void draw_over(PanelContext& context);
 
   /// Where each run is drawn.
   const std::vector<WindowPart>& parts() const { return parts_; }
@@ -36,15 +37,15 @@ class LandWindow {
  private:
   std::vector<LandPart> lands(const session::Snapshot& now) const;
   void take_wanted_view(const session::Snapshot& now, const std::vector<LandPart>& lands);
-  void move_camera(const Desk& desk, const LandPart& land, bool hovered);
-  void point(Desk& desk, const LandPart& land, bool hovered);
-  void draw_lands(const Desk& desk, const std::vector<LandPart>& lands) const;
-  void draw_captions(const Desk& desk, const std::vector<LandPart>& lands) const;
-  void draw_reading(const Desk& desk, const LandPart& land) const;
-  void draw_empty(Desk& desk) const;
-  void draw_troubles(const Desk& desk) const;
+  void move_camera(const PanelContext& context, const LandPart& land, bool hovered);
+  void point(PanelContext& context, const LandPart& land, bool hovered);
+  void draw_lands(const PanelContext& context, const std::vector<LandPart>& lands) const;
+  void draw_captions(const PanelContext& context, const std::vector<LandPart>& lands) const;
+  void draw_reading(const PanelContext& context, const LandPart& land) const;
+  void draw_empty(PanelContext& context) const;
+  void draw_troubles(const PanelContext& context) const;
 
-  Scenery& scenery_;
+  ViewState& view_state_;
   GroundOfRun ground_;
   WindowPart area_;
   std::array<double, 2> extent_{};  // of the land that the camera was last placed for, m

@@ -24,11 +24,11 @@ class ComparePanel final : public Panel {
   const char* title() const override { return panel_title::compare; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {720, 560}; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   static bool begin_table(const char* id, std::size_t runs);
-  static void draw_runs(Desk& desk);
+  static void draw_runs(PanelContext& context);
   static void draw_differences(const Comparison& comparison);
   static void draw_numbers(const Snapshot& now);
 };
@@ -43,8 +43,8 @@ bool ComparePanel::begin_table(const char* id, std::size_t runs) {
   return true;
 }
 
-void ComparePanel::draw_runs(Desk& desk) {
-  AppModel& app = desk.app;
+void ComparePanel::draw_runs(PanelContext& context) {
+  AppModel& app = context.app;
   Comparison& comparison = app.comparison();
   for (std::size_t run = 0; run < comparison.size(); ++run) {
     const std::string number = std::to_string(run + 1);
@@ -77,7 +77,7 @@ void ComparePanel::draw_runs(Desk& desk) {
   ImGui::SameLine();
   if (button("CREATE", {.tooltip = "Makes the terrains of all runs.",
                         .look = app.create_needed() ? ButtonLook::accent : ButtonLook::plain})) {
-    desk.leave("CREATE", session::Leaves::land, [&app] { app.create(); });
+    context.leave("CREATE", session::Leaves::land, [&app] { app.create(); });
   }
 }
 
@@ -126,9 +126,9 @@ void ComparePanel::draw_numbers(const Snapshot& now) {
   ImGui::EndTable();
 }
 
-void ComparePanel::draw(Desk& desk) {
-  AppModel& app = desk.app;
-  draw_runs(desk);
+void ComparePanel::draw(PanelContext& context) {
+  AppModel& app = context.app;
+  draw_runs(context);
   if (section("How they differ")) draw_differences(app.comparison());
   if (section("Their numbers")) draw_numbers(app.now());
 }

@@ -17,7 +17,7 @@ class ExportPanel final : public Panel {
   const char* title() const override { return panel_title::export_files; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {560, 560}; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   void draw_formats();
@@ -60,8 +60,8 @@ void ExportPanel::draw_export(Export& running) {
   }
 }
 
-void ExportPanel::draw(Desk& desk) {
-  session::AppModel& app = desk.app;
+void ExportPanel::draw(PanelContext& context) {
+  session::AppModel& app = context.app;
   if (!app.now().has_runs()) {
     explain("There is nothing to export yet. Open a preset from the gallery, or press CREATE.");
     return;

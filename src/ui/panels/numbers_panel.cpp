@@ -52,7 +52,7 @@ class NumbersPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::numbers; }
   Dock dock() const override { return Dock::right; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   void choose_numbers();
@@ -152,16 +152,16 @@ void NumbersPanel::save(AppModel& app) {
   }
 }
 
-void NumbersPanel::draw(Desk& desk) {
-  const Snapshot& now = desk.app.now();
+void NumbersPanel::draw(PanelContext& context) {
+  const Snapshot& now = context.app.now();
   if (!now.has_runs()) {
     explain("Numbers appear here once there is a terrain: press CREATE, or open one from the gallery.");
-    if (button("GALLERY", {.look = ButtonLook::accent})) desk.open(panel_title::gallery);
+    if (button("GALLERY", {.look = ButtonLook::accent})) context.open(panel_title::gallery);
     return;
   }
   if (section("Over time")) draw_over_time(now);
-  if (section("How they are spread")) draw_spread(*desk.app.active_run());
-  save(desk.app);
+  if (section("How they are spread")) draw_spread(*context.app.active_run());
+  save(context.app);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ class PaintPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::paint; }
   Dock dock() const override { return Dock::right; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   void draw_materials(const RunSnapshot& run);
@@ -51,11 +51,11 @@ class PaintPanel final : public Panel {
   void draw_brush(const RunSnapshot& run);
   void draw_amount(const Terrain& terrain);
   static void draw_undo(AppModel& app);
-  void stroke(Desk& desk);
+  void stroke(PanelContext& context);
   void put_stamp(AppModel& app, double x, double y) const;
   double radius(const Terrain& terrain) const;
   double amount(const Terrain& terrain) const;
-  void mark_rim(Desk& desk) const;
+  void mark_rim(PanelContext& context) const;
 
   bool on_ = false;
   BrushMaterial material_ = BrushMaterial::sand;
@@ -169,8 +169,8 @@ void PaintPanel::draw_undo(AppModel& app) {
   }
 }
 
-void PaintPanel::stroke(Desk& desk) {
-  const LandPointer& land = desk.land;
+void PaintPanel::stroke(PanelContext& context) {
+  const LandPointer& land = context.land;
   if (land.pressed) {
     ++stroke_;
     last_.reset();
@@ -180,20 +180,20 @@ void PaintPanel::stroke(Desk& desk) {
   const std::array<double, 2> here{land.cell->x + 0.5, land.cell->y + 0.5};
   held_still_ += static_cast<double>(ImGui::GetIO().DeltaTime);
   if (!last_ || held_still_ >= seconds_of_a_stamp) {
-    put_stamp(desk.app, here[0], here[1]);
+    put_stamp(context.app, here[0], here[1]);
     last_ = here;
     held_still_ = 0;
     return;
   }
   // However far the pointer has come since the last frame, the stroke has no gaps.
-  const double gap = std::max(1.0, spacing * radius(*desk.app.active_run()->terrain));
+  const double gap = std::max(1.0, spacing * radius(*context.app.active_run()->terrain));
   const std::array<double, 2> from = *last_;
   const double way = std::hypot(here[0] - from[0], here[1] - from[1]);
   const int stamps = std::min(static_cast<int>(way / gap), most_stamps);
   for (int stamp = 1; stamp <= stamps; ++stamp) {
     const double part = stamp * gap / way;
     last_ = {from[0] + part * (here[0] - from[0]), from[1] + part * (here[1] - from[1])};
-    put_stamp(desk.app, (*last_)[0], (*last_)[1]);
+    put_stamp(context.app, (*last_)[0], (*last_)[1]);
     held_still_ = 0;
   }
 }
@@ -212,21 +212,22 @@ void PaintPanel::put_stamp(AppModel& app, double x, double y) const {
   app.runner().paint(app.shown(), stamp, stroke_);
 }
 
-void PaintPanel::mark_rim(Desk& desk) const {
-  if (!desk.land.cell) return;
-  const double reach = radius(*desk.app.active_run()->terrain);
+void PaintPanel::mark_rim(PanelContext& context) const {
+  if (!context.land.cell) return;
+  const double reach = radius(*context.app.active_run()->terrain);
   LandMark rim;
   rim.closed = true;
   constexpr int corners = 48;
   for (int corner = 0; corner < corners; ++corner) {
     const double angle = radians(360.0 * corner / corners);
-    rim.points.push_back({desk.land.cell->x + reach * std::cos(angle), desk.land.cell->y + reach * std::sin(angle)});
+    rim.points.push_back(
+        {context.land.cell->x + reach * std::cos(angle), context.land.cell->y + reach * std::sin(angle)});
   }
-  desk.marks.push_back(rim);
+  context.marks.push_back(rim);
 }
 
-void PaintPanel::draw(Desk& desk) {
-  if (!desk.app.now().has_runs()) {
+void PaintPanel::draw(PanelContext& context) {
+  if (!context.app.now().has_runs()) {
     explain("There is no land to paint on yet.");
     return;
   }
@@ -236,14 +237,14 @@ void PaintPanel::draw(Desk& desk) {
               .size = {-1, 0}})) {
     on_ = !on_;
   }
-  const RunSnapshot& run = *desk.app.active_run();
+  const RunSnapshot& run = *context.app.active_run();
   draw_materials(run);
   draw_brush(run);
-  draw_undo(desk.app);
+  draw_undo(context.app);
   if (!on_) return;
-  desk.tool = LandTool::paint;
-  stroke(desk);
-  mark_rim(desk);
+  context.tool = LandTool::paint;
+  stroke(context);
+  mark_rim(context);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ struct KeyHelp {
 };
 
 /// What a panel may use in a frame.
-struct Desk {
+struct PanelContext {
   session::AppModel& app;
   LandPointer land;
   /// Set by panels while they are drawn; the window acts on it after the frame.
@@ -57,7 +57,7 @@ struct Desk {
   std::function<void(const std::string& title)> open;
   std::function<void(const std::string& title)> close;
   /// Does `act`, which leaves behind what is open; where work would be lost, only once the person has answered what is
-  /// to become of it. `what` stands on the button that does it all the same: "QUIT". The desk outlives the question.
+  /// to become of it. `what` stands on the button that does it all the same: "QUIT". The context outlives the question.
   std::function<void(const std::string& what, session::Leaves leaves, std::function<void()> act)> leave;
   /// A picture for ImGui::Image: the PNG or JPEG at `path`, loaded once; null when it cannot be read, and in tests.
   std::function<ImTextureID(const std::filesystem::path& path)> picture;
@@ -71,7 +71,7 @@ struct Desk {
 enum class Dock {
   left,   ///< a section of the left column
   right,  ///< a section of the right column
-  dialog  ///< a window of its own over the land, opened from the menus or by Desk::open
+  dialog  ///< a window of its own over the land, opened from the menus or by PanelContext::open
 };
 
 /// A part of the interface.
@@ -85,11 +85,11 @@ class Panel {
   virtual const char* title() const = 0;
   virtual Dock dock() const = 0;
   /// False while there is nothing to show: TEMPERATURE for a model of sand. A dialog that becomes wanted opens itself.
-  virtual bool wanted(const Desk&) const { return true; }
+  virtual bool wanted(const PanelContext&) const { return true; }
   /// For dialogs: the size at scale 1, pixels.
   virtual ImVec2 size() const { return {640, 480}; }
   /// Draws its content.
-  virtual void draw(Desk& desk) = 0;
+  virtual void draw(PanelContext& context) = 0;
 
  protected:
   Panel() = default;

@@ -28,14 +28,14 @@ class SectionPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::section; }
   Dock dock() const override { return Dock::right; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
-  void take_clicks(Desk& desk);
-  void draw_buttons(Desk& desk);
+  void take_clicks(PanelContext& context);
+  void draw_buttons(PanelContext& context);
   void draw_hint() const;
   void draw_cut(const RunSnapshot& run);
-  void mark_line(Desk& desk) const;
+  void mark_line(PanelContext& context) const;
   void save(AppModel& app);
 
   bool picking_ = false;
@@ -46,11 +46,11 @@ class SectionPanel final : public Panel {
   FilePopup file_{{.title = "SAVE SECTION", .action = "SAVE", .endings = {".csv"}, .saving = true}};
 };
 
-void SectionPanel::take_clicks(Desk& desk) {
+void SectionPanel::take_clicks(PanelContext& context) {
   if (!picking_) return;
-  desk.tool = LandTool::section;
-  if (!desk.land.pressed || !desk.land.cell) return;
-  const CellPlace cell = *desk.land.cell;
+  context.tool = LandTool::section;
+  if (!context.land.pressed || !context.land.cell) return;
+  const CellPlace cell = *context.land.cell;
   if (!from_ || to_) {
     from_ = cell;
     to_.reset();
@@ -61,7 +61,7 @@ void SectionPanel::take_clicks(Desk& desk) {
   }
 }
 
-void SectionPanel::draw_buttons(Desk& desk) {
+void SectionPanel::draw_buttons(PanelContext& context) {
   if (button("PICK TWO POINTS", {.tooltip = "Then click two points of the land.",
                                  .look = picking_ ? ButtonLook::accent : ButtonLook::plain})) {
     picking_ = !picking_;
@@ -78,7 +78,7 @@ void SectionPanel::draw_buttons(Desk& desk) {
   }
   ImGui::SameLine();
   if (button("SAVE", {.tooltip = "The cut as CSV.", .unavailable = to_ ? "" : "Pick two points first."})) {
-    file_.ask(desk.app.settings(), "section.csv");
+    file_.ask(context.app.settings(), "section.csv");
   }
 }
 
@@ -108,7 +108,7 @@ void SectionPanel::draw_cut(const RunSnapshot& run) {
           figure_text(cut_.distance.empty() ? 0 : cut_.distance.back()) + " m.");
 }
 
-void SectionPanel::mark_line(Desk& desk) const {
+void SectionPanel::mark_line(PanelContext& context) const {
   if (!from_) return;
   LandMark line;
   const auto add = [&](CellPlace cell) {
@@ -117,10 +117,10 @@ void SectionPanel::mark_line(Desk& desk) const {
   add(*from_);
   if (to_) {
     add(*to_);
-  } else if (desk.land.cell) {
-    add(*desk.land.cell);
+  } else if (context.land.cell) {
+    add(*context.land.cell);
   }
-  if (line.points.size() > 1) desk.marks.push_back(line);
+  if (line.points.size() > 1) context.marks.push_back(line);
 }
 
 void SectionPanel::save(AppModel& app) {
@@ -134,18 +134,18 @@ void SectionPanel::save(AppModel& app) {
   }
 }
 
-void SectionPanel::draw(Desk& desk) {
-  const RunSnapshot* const run = desk.app.active_run();
+void SectionPanel::draw(PanelContext& context) {
+  const RunSnapshot* const run = context.app.active_run();
   if (run == nullptr) {
     explain("There is no land to cut yet.");
     return;
   }
-  take_clicks(desk);
-  draw_buttons(desk);
+  take_clicks(context);
+  draw_buttons(context);
   draw_hint();
   if (from_ && to_) draw_cut(*run);
-  mark_line(desk);
-  save(desk.app);
+  mark_line(context);
+  save(context.app);
 }
 
 }  // namespace

@@ -39,11 +39,11 @@ class SetupPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::setup; }
   Dock dock() const override { return Dock::left; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   static void draw_run_choice(AppModel& app);
-  void draw_buttons(Desk& desk, const Config* running);
+  void draw_buttons(PanelContext& context, const Config* running);
   void draw_cost(const Config& config);
   static void draw_model(Setup& setup);
   void draw_groups(Setup& setup, const Config* running, const Settings& settings);
@@ -70,8 +70,8 @@ void SetupPanel::draw_run_choice(AppModel& app) {
   }
 }
 
-void SetupPanel::draw_buttons(Desk& desk, const Config* running) {
-  AppModel& app = desk.app;
+void SetupPanel::draw_buttons(PanelContext& context, const Config* running) {
+  AppModel& app = context.app;
   const std::vector<Mistake> mistakes = app.setup().mistakes();
   const bool needed = app.create_needed();
   const float half = share_of_width(2);
@@ -79,7 +79,7 @@ void SetupPanel::draw_buttons(Desk& desk, const Config* running) {
                         .unavailable = mistakes.empty() ? "" : "Something stands against it; see below.",
                         .look = needed ? ButtonLook::accent : ButtonLook::plain,
                         .size = {half, 0}})) {
-    desk.leave("CREATE", session::Leaves::land, [&app] { app.create(); });
+    context.leave("CREATE", session::Leaves::land, [&app] { app.create(); });
   }
   ImGui::SameLine();
   if (button("RESET DEFAULT",
@@ -161,11 +161,11 @@ void SetupPanel::draw_groups(Setup& setup, const Config* running, const Settings
   }
 }
 
-void SetupPanel::draw(Desk& desk) {
-  AppModel& app = desk.app;
+void SetupPanel::draw(PanelContext& context) {
+  AppModel& app = context.app;
   const Config* running = running_config(app);
   draw_run_choice(app);
-  draw_buttons(desk, running);
+  draw_buttons(context, running);
   draw_model(app.setup());
   draw_groups(app.setup(), running, app.settings());
   if (const auto file = picture_.draw(app)) app.setup().set(picture_group_, picture_key_, file->string());

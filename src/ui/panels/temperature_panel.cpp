@@ -17,12 +17,12 @@ class TemperaturePanel final : public Panel {
  public:
   const char* title() const override { return panel_title::temperature; }
   Dock dock() const override { return Dock::left; }
-  bool wanted(const Desk& desk) const override { return desk.app.setup().model().info.asks_temperature; }
-  void draw(Desk& desk) override;
+  bool wanted(const PanelContext& context) const override { return context.app.setup().model().info.asks_temperature; }
+  void draw(PanelContext& context) override;
 
  private:
   static void draw_ends(Setup& setup);
-  static void draw_curve(Desk& desk);
+  static void draw_curve(PanelContext& context);
 };
 
 void TemperaturePanel::draw_ends(Setup& setup) {
@@ -44,8 +44,8 @@ void TemperaturePanel::draw_ends(Setup& setup) {
   if (first_changed || last_changed) setup.set_temperatures(first, last);
 }
 
-void TemperaturePanel::draw_curve(Desk& desk) {
-  Setup& setup = desk.app.setup();
+void TemperaturePanel::draw_curve(PanelContext& context) {
+  Setup& setup = context.app.setup();
   const Temperature& now = setup.config().temperature;
   if (now.first == now.last) {
     explain("The temperature stays the same over the run. Give it another end to bend its curve.");
@@ -57,14 +57,14 @@ void TemperaturePanel::draw_curve(Desk& desk) {
   frame.x = {0, static_cast<double>(std::max<std::int64_t>(1, setup.config().run.integer("steps") - 1))};
   frame.y = {now.first, now.last};
   frame.height = Gui::current().px(170);
-  if (desk.app.now().has_runs()) frame.cursor = static_cast<double>(desk.app.now().step());
+  if (context.app.now().has_runs()) frame.cursor = static_cast<double>(context.app.now().step());
   BezierCurve curve = now.curve;
   if (edit_curve("curve", curve, frame)) setup.set_temperature_curve(curve);
 }
 
-void TemperaturePanel::draw(Desk& desk) {
-  draw_ends(desk.app.setup());
-  draw_curve(desk);
+void TemperaturePanel::draw(PanelContext& context) {
+  draw_ends(context.app.setup());
+  draw_curve(context);
 }
 
 }  // namespace

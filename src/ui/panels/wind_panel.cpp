@@ -49,7 +49,7 @@ class WindPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::wind; }
   Dock dock() const override { return Dock::left; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   bool shows_seasons(const WindEditor& wind) const { return seasons_wanted_ || !wind.regime().is_constant(); }
@@ -292,8 +292,8 @@ void WindPanel::draw_rose(const WindEditor& wind, const AppModel& app) {
   ImGui::EndGroup();
 }
 
-void WindPanel::draw(Desk& desk) {
-  AppModel& app = desk.app;
+void WindPanel::draw(PanelContext& context) {
+  AppModel& app = context.app;
   WindEditor wind = app.comparison().wind();
   selected_ = std::min(selected_, wind.seasons() - 1);
   const std::string strength_label = app.setup().model().info.strength_label;

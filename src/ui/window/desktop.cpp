@@ -75,7 +75,7 @@ std::optional<RgbaImage> read_image(const std::filesystem::path& path) {
   return image;
 }
 
-class Desktop final : public Stage {
+class Desktop final : public Host {
  public:
   explicit Desktop(const DesktopRequest& request);
 
@@ -152,17 +152,17 @@ ImTextureID Desktop::picture(const std::filesystem::path& path) {
 void Desktop::save_picture(const PictureOrder& order) {
   const session::RunSnapshot* const run = app_.active_run();
   if (run == nullptr) throw InputError(order.path.string(), "there is no land to draw", "create one first");
-  Look look = shell_.scenery().look;
+  Look look = shell_.view_state().look;
   look.transparent = order.transparent;
-  look.legend = shell_.scenery().legend;
-  const render::Picture picture = land_.picture(*run, look, shell_.scenery().camera.camera(), order.size);
+  look.legend = shell_.view_state().legend;
+  const render::Picture picture = land_.picture(*run, look, shell_.view_state().camera.camera(), order.size);
   io::write_run_png(order.path, picture.image, app_.provenance());
 }
 
 bool Desktop::busy() {
   const Activity activity = app_.now().activity;
   const bool moving = activity == Activity::running || activity == Activity::building;
-  const bool view_to_come = app_.now().has_runs() && !shell_.scenery().wanted_view.empty();
+  const bool view_to_come = app_.now().has_runs() && !shell_.view_state().wanted_view.empty();
   // A brush that is held goes on pouring; a slider that is held follows.
   return moving || view_to_come || ImGui::IsAnyMouseDown() || land_.unfinished() ||
          app_.runner().snapshot()->number != shown_snapshot_ || app_.log().version() != shown_log_;
@@ -187,9 +187,10 @@ void Desktop::draw(int width, int height, float seconds) {
   gl11().ClearColor(ground.x, ground.y, ground.z, 1);
   gl11().Clear(GL_COLOR_BUFFER_BIT);
   LandWindow& land = shell_.land();
-  Look look = shell_.scenery().look;
+  Look look = shell_.view_state().look;
   look.legend = false;
-  land.set_notes(land_.draw(app_.now(), look, shell_.scenery().camera.camera(), land.parts(), height, land.restless()));
+  land.set_notes(
+      land_.draw(app_.now(), look, shell_.view_state().camera.camera(), land.parts(), height, land.restless()));
   renderer_.draw(gui_, 0);
   frames_.count();
   frame_rate_ = frames_.rate();

@@ -69,7 +69,7 @@ void Shell::make_file_actions() {
 void Shell::make_view_actions() {
   const auto nothing = [this] { return why_nothing_to_save(); };
   for (const OfferedView& view : offered_views) {
-    const auto take_up = [this, preset = view.preset] { scenery_.wanted_view = preset; };
+    const auto take_up = [this, preset = view.preset] { view_state_.wanted_view = preset; };
     actions_.push_back({.menu = "View", .label = view.label, .key = view.key, .act = take_up, .unavailable = nothing});
   }
   actions_.push_back({.menu = "View",

@@ -1,4 +1,4 @@
-// A stage without OpenGL for the shell: the ground is a flat plane, and what was asked for is written down.
+// A host without OpenGL for the shell: the ground is a flat plane, and what was asked for is written down.
 #pragma once
 
 #include <new>
@@ -27,7 +27,7 @@ class FlatGround final : public ui::LandGround {
   render::LandBox box_;
 };
 
-class FlatStage final : public ui::Stage {
+class FlatHost final : public ui::Host {
  public:
   FlatGround flat{{32, 24, 0, 4}};
   std::vector<ui::PictureOrder> orders;

@@ -12,7 +12,7 @@
 namespace erg::ui {
 
 /// The part of the window's state that only the eye cares about.
-struct Scenery {
+struct ViewState {
   render::Look look;
   LandCamera camera;
   bool legend = true;  ///< legend, wind arrow and north over the land
