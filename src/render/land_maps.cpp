@@ -29,7 +29,7 @@ void LandMaps::update(const LandRequest& request, std::vector<std::string>& note
   land_.low = view.terrain->metres(range_.low) * exaggeration_;
   land_.high = view.terrain->metres(range_.high) * exaggeration_;
   const std::vector<SheetPlace> plan =
-      plan_sheets({*view.terrain, request.effort, request.camera, land_, request.picture_height});
+      plan_sheets({*view.terrain, request.quality, request.camera, land_, request.picture_height});
   if (plan.size() < sheets_.size()) sheets_.resize(plan.size());
   while (sheets_.size() < plan.size()) sheets_.push_back(std::make_unique<LandSheet>());
   if (read && plan.front().whole && plan.front().window.block > 1) {
@@ -41,7 +41,7 @@ void LandMaps::update(const LandRequest& request, std::vector<std::string>& note
                          .plants = view.find_field(plants_key),
                          .raw_cells = look.raw_cells,
                          .light = light_of(request),
-                         .effort = request.effort};
+                         .quality = request.quality};
   cell_side_ = land_.east;
   for (std::size_t sheet = 0; sheet < plan.size(); ++sheet) {
     const bool moved = !(sheets_[sheet]->place().window == plan[sheet].window);

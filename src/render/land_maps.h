@@ -20,7 +20,7 @@ namespace erg::render {
 struct LandRequest {
   const TerrainView& view;
   const Look& look;
-  const RenderEffort& effort;
+  const RenderQuality& quality;
   const picture::Camera& camera;
   int picture_height = 1;  ///< pixels
 };

@@ -29,7 +29,7 @@ void LandSheet::update(SurfaceWorkshop& workshop, const SheetPlace& place, const
                              .quantum = terrain.quantum() / place.window.block,
                              .raw = raw_,
                              .block = place.window.block};
-  maps_.update(workshop, source, request.light, request.effort, changed);
+  maps_.update(workshop, source, request.light, request.quality, changed);
 }
 
 void LandSheet::update_values(TiledTexture& texture, const Field& field, bool periodic, const char* role,

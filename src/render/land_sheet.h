@@ -26,7 +26,7 @@ struct MapsRequest {
   const Field* plants = nullptr;  ///< share of the ground that they cover
   bool raw_cells = false;
   LightSource light;
-  const RenderEffort& effort;
+  const RenderQuality& quality;
 };
 
 /// Holds textures of the OpenGL context that is current.

@@ -129,20 +129,20 @@ struct Renderer::Work {
   ScenePainter painter;
   PictureTarget target;
   PictureTarget coarse;  // for fewer pixels than the picture has
-  RenderEffort effort;
+  RenderQuality quality;
 };
 
 void Renderer::Work::paint(PaintRequest request, unsigned frame_buffer) {
   const int width = request.width, height = request.height;
-  if (effort.coarseness > 1) {
-    request.width = std::max(1, width / effort.coarseness);
-    request.height = std::max(1, height / effort.coarseness);
+  if (quality.coarseness > 1) {
+    request.width = std::max(1, width / quality.coarseness);
+    request.height = std::max(1, height / quality.coarseness);
     coarse.prepare(request.width, request.height);
   }
-  glBindFramebuffer(GL_FRAMEBUFFER, effort.coarseness > 1 ? coarse.frame() : frame_buffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, quality.coarseness > 1 ? coarse.frame() : frame_buffer);
   gl11().Viewport(0, 0, request.width, request.height);
   painter.paint(request);
-  if (effort.coarseness == 1) return;
+  if (quality.coarseness == 1) return;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_buffer);
   glBlitFramebuffer(0, 0, request.width, request.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, frame_buffer);
@@ -154,7 +154,7 @@ RgbImage Picture::opaque() const { return over(image, {1, 1, 1}); }
 Renderer::Renderer(const std::filesystem::path& shaders) : work_(std::make_unique<Work>(shaders)) {}
 Renderer::~Renderer() = default;
 
-void Renderer::set_effort(const RenderEffort& effort) { work_->effort = effort; }
+void Renderer::set_quality(const RenderQuality& quality) { work_->quality = quality; }
 
 LandBox Renderer::land_of(const TerrainView& view, const Look& look) {
   if (is_empty(view)) return {};
@@ -194,7 +194,7 @@ Picture Renderer::draw(const TerrainView& view, const Look& look, const Camera& 
 std::vector<std::string> Renderer::draw_into(unsigned frame_buffer, const TerrainView& view, const Look& look,
                                              const Camera& camera, int width, int height) {
   std::vector<std::string> notes;
-  work_->maps.update({view, look, work_->effort, camera, height}, notes);
+  work_->maps.update({view, look, work_->quality, camera, height}, notes);
   Camera above = camera;
   const LandBox land = work_->maps.land();
   const double keep = std::min(clearance * std::min(land.east, land.north), 2 * work_->maps.cell_side());
@@ -205,7 +205,7 @@ std::vector<std::string> Renderer::draw_into(unsigned frame_buffer, const Terrai
     keep_above(
         above, [this](double east, double north) { return ground_height(east, north); }, keep);
   }
-  work_->paint({view, look, above, work_->maps, work_->effort, width, height}, frame_buffer);
+  work_->paint({view, look, above, work_->maps, work_->quality, width, height}, frame_buffer);
   return notes;
 }
 

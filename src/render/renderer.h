@@ -10,8 +10,8 @@
 
 #include "picture/image.h"
 #include "render/camera.h"
-#include "render/effort.h"
 #include "render/look.h"
+#include "render/quality.h"
 #include "render/shader_program.h"
 #include "render/terrain_view.h"
 
@@ -45,7 +45,7 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// How much work goes into the pictures to come; at first all there is.
-  void set_effort(const RenderEffort& effort);
+  void set_quality(const RenderQuality& quality);
 
   /// Draws into memory. Throws InputError for a look or size that cannot be.
   Picture draw(const TerrainView& view, const Look& look, const picture::Camera& camera, const PictureSize& size);

@@ -166,7 +166,7 @@ const ShaderProgram& ScenePainter::land_program(const PaintRequest& request, boo
   word(wires, "WIRES");
   word(look.raw_cells, "RAW_CELLS");
   word(look.is_material(), "MATERIAL");
-  word(look.is_material() && request.effort.grains && look.grain > 0, "GRAINS");
+  word(look.is_material() && request.quality.grains && look.grain > 0, "GRAINS");
   word(look.is_material() && request.maps.has_plants(), "PLANTS");
   word(look.is_material() && request.maps.has_plants() && look.tufts, "TUFTS");
   word(look.contours > 0, "CONTOURS");
@@ -217,8 +217,8 @@ void ScenePainter::draw_sheets(const PaintRequest& request, const Air& air, cons
            .camera = request.camera,
            .view_projection = air.exact,
            .picture_height = request.height,
-           .step_pixels = look.wireframe ? std::max(8.0, request.effort.step_pixels) : request.effort.step_pixels,
-           .finest = look.raw_cells || look.wireframe ? TerrainMesh::tile_cells : request.effort.finest,
+           .step_pixels = look.wireframe ? std::max(8.0, request.quality.step_pixels) : request.quality.step_pixels,
+           .finest = look.raw_cells || look.wireframe ? TerrainMesh::tile_cells : request.quality.finest,
            .copies = whole ? rings : 0});
       mesh_.draw(program);
       triangles_ += mesh_.triangles();
@@ -244,7 +244,7 @@ void ScenePainter::paint_walls(const PaintRequest& request, const Air& air) cons
     const auto face = [&](bool outer, Eigen::AlignedBox2d::CornerType from, Eigen::AlignedBox2d::CornerType to,
                           int blocks) {
       if (!outer) return;
-      const int steps = std::max(1, blocks * request.effort.finest / TerrainMesh::tile_cells);  // as the mesh near by
+      const int steps = std::max(1, blocks * request.quality.finest / TerrainMesh::tile_cells);  // as the mesh near by
       const Eigen::Vector2f start = box.corner(from).cast<float>(), end = box.corner(to).cast<float>();
       wall_program_.set("steps", steps);
       wall_program_.set("from", start.x(), start.y());
@@ -267,9 +267,9 @@ void ScenePainter::paint_tufts(const PaintRequest& request, const Air& air) cons
   int planted = 0;
   for (const auto& sheet : request.maps.sheets()) planted += sheet->planted_count();
   if (planted == 0) return;
-  const int tufts_a_cell = std::clamp(request.effort.most_tufts / planted, 1, most_a_cell);
+  const int tufts_a_cell = std::clamp(request.quality.most_tufts / planted, 1, most_a_cell);
   // When even one for each cell is too much, only every so many cells have any.
-  const int thinning = (planted * tufts_a_cell + request.effort.most_tufts - 1) / request.effort.most_tufts;
+  const int thinning = (planted * tufts_a_cell + request.quality.most_tufts - 1) / request.quality.most_tufts;
   tuft_program_.use();
   air.hand_to(tuft_program_);
   request.maps.bind(tuft_program_);

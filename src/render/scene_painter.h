@@ -19,7 +19,7 @@ struct PaintRequest {
   const Look& look;
   const picture::Camera& camera;
   const LandMaps& maps;
-  const RenderEffort& effort;
+  const RenderQuality& quality;
   int width = 1;
   int height = 1;
 };

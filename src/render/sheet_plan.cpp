@@ -57,8 +57,8 @@ std::vector<SheetPlace> cut(Extent extent, int most) {
 
 std::vector<SheetPlace> plan_sheets(const SheetPlanRequest& request) {
   const Extent extent = request.terrain.extent();
-  const int largest = std::min(request.effort.largest_side, largest_texture());
-  if (!request.effort.tiled || std::max(extent.nx, extent.ny) <= largest) return {whole_land(extent, largest)};
+  const int largest = std::min(request.quality.largest_side, largest_texture());
+  if (!request.quality.tiled || std::max(extent.nx, extent.ny) <= largest) return {whole_land(extent, largest)};
   const int apron = std::clamp(largest / 8, least_apron, widest_apron);
   std::vector<SheetPlace> sheets = cut(extent, largest - 2 * apron);
   const double most_blocks = static_cast<double>(largest) * largest;

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "render/effort.h"
+#include "render/quality.h"
 #include "render/shader_program.h"
 #include "render/textures.h"
 
@@ -49,7 +49,7 @@ class SurfaceMaps {
  public:
   /// Brings the maps up to date. `changed`: the cells that are new since the last time.
   void update(SurfaceWorkshop& workshop, const SurfaceSource& source, const LightSource& light,
-              const RenderEffort& effort, const std::vector<TexelRect>& changed);
+              const RenderQuality& quality, const std::vector<TexelRect>& changed);
 
   /// Height and thickness of the mobile layer, m.
   GLuint surface() const { return surface_.id(); }
@@ -63,12 +63,12 @@ class SurfaceMaps {
 
  private:
   struct Smoothing;
-  void compute_surface(SurfaceWorkshop& workshop, const SurfaceSource& source, const RenderEffort& effort,
+  void compute_surface(SurfaceWorkshop& workshop, const SurfaceSource& source, const RenderQuality& quality,
                        const std::vector<TexelRect>& where);
   void smooth_into(SurfaceWorkshop& workshop, const SurfaceSource& source, const MapTarget& target, GLuint cells,
                    const Smoothing& smoothing, const std::vector<TexelRect>& where) const;
   void compute_light(SurfaceWorkshop& workshop, const SurfaceSource& source, const LightSource& light,
-                     const RenderEffort& effort, const std::vector<TexelRect>& where);
+                     const RenderQuality& quality, const std::vector<TexelRect>& where);
 
   MapTarget surface_, shape_, light_;
   int detail_ = 0;  // texels of the surface for the side of a cell

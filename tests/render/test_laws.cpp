@@ -18,8 +18,8 @@ using picture::RgbImage;
 using render::camera_preset;
 using render::Look;
 using render::Picture;
-using render::RenderEffort;
 using render::Renderer;
+using render::RenderQuality;
 using render::TerrainView;
 
 namespace {
@@ -258,10 +258,10 @@ TEST_F(Pictures, FarLandHasFewerTriangles) {
 
 TEST_F(Pictures, LargeGridsAreDrawnInBlocksInAHurry) {
   const Terrain terrain({300, 200}, 1.0, slab);
-  RenderEffort effort;
-  effort.largest_side = 128;
-  effort.tiled = false;
-  renderer_.set_effort(effort);
+  RenderQuality quality;
+  quality.largest_side = 128;
+  quality.tiled = false;
+  renderer_.set_quality(quality);
   const Picture picture = top_view(view_of(terrain), values("elevation"), 1);
   ASSERT_EQ(picture.notes.size(), 1u);
   EXPECT_NE(picture.notes[0].find("3 x 3"), std::string::npos) << picture.notes[0];
@@ -282,12 +282,12 @@ TEST_F(Pictures, ALandLargerThanATextureIsCutIntoSheetsThatDoNotShow) {
   const Terrain terrain = long_land();
   Look look;
   look.legend = false;
-  RenderEffort effort;
-  effort.largest_map = 2 * side;  // one texel a cell, cut or not
+  RenderQuality quality;
+  quality.largest_map = 2 * side;  // one texel a cell, cut or not
   for (const std::string camera : {"top", "block"}) {
     const auto draw = [&](int largest_side) {
-      effort.largest_side = largest_side;
-      renderer_.set_effort(effort);
+      quality.largest_side = largest_side;
+      renderer_.set_quality(quality);
       const Camera stands = camera_preset(camera, Renderer::land_of(view_of(terrain), look), 2);
       return renderer_.draw(view_of(terrain), look, stands, {384, 192, 1}).opaque();
     };
@@ -304,9 +304,9 @@ TEST_F(Pictures, ALandLargerThanATextureIsCutIntoSheetsThatDoNotShow) {
 
 TEST_F(Pictures, FarSheetsAreCoarser) {
   const Terrain terrain = long_land();
-  RenderEffort effort;
-  effort.largest_side = 128;
-  renderer_.set_effort(effort);
+  RenderQuality quality;
+  quality.largest_side = 128;
+  renderer_.set_quality(quality);
   const Look look;
   Camera camera{.target = {10, 32, 2}, .bearing = 270, .altitude = 30, .distance = 40};
   renderer_.draw(view_of(terrain), look, camera, {64, 48, 1});
@@ -322,13 +322,13 @@ TEST_F(Pictures, WhatChangesInATileIsComputedThereAndLooksLikeAllComputedAnew) {
   for (int y = 0; y < 320; ++y) {
     for (int x = 0; x < 320; ++x) terrain.edit_mobile()(x, y) = 6 + static_cast<int>(mix64(x + 320 * y) % 3);
   }
-  RenderEffort effort;
-  effort.largest_map = 320;
-  effort.sky_steps = 6;
+  RenderQuality quality;
+  quality.largest_map = 320;
+  quality.sky_steps = 6;
   Look look;
   look.legend = false;
   const auto draw = [&](Renderer& renderer) {
-    renderer.set_effort(effort);
+    renderer.set_quality(quality);
     const Camera camera = camera_preset("top", Renderer::land_of(view_of(terrain), look), 1);
     return renderer.draw(view_of(terrain), look, camera, {320, 320, 1}).opaque();
   };

@@ -12,8 +12,8 @@ namespace erg::ui {
 using picture::Camera;
 using render::LandBox;
 using render::Look;
-using render::RenderEffort;
 using render::Renderer;
+using render::RenderQuality;
 using render::TerrainView;
 using session::RunSnapshot;
 using session::Snapshot;
@@ -28,8 +28,8 @@ constexpr std::chrono::milliseconds rest{350};  // without a change before the f
 constexpr int breathing_space = 3;
 
 // At rest a picture may take a moment, but not so long that the window seems stuck.
-RenderEffort effort_at_rest(bool software) {
-  return software ? RenderEffort{512, 1024, 3, 128, true} : RenderEffort::still();
+RenderQuality quality_at_rest(bool software) {
+  return software ? RenderQuality{512, 1024, 3, 128, true} : RenderQuality::still();
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ void LandView::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, c
 void LandView::paint(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool fine) {
   const TerrainView view = view_of_run(run);
   pane.fine = fine;
-  pane.renderer.set_effort(fine ? effort_at_rest(software_) : RenderEffort::moving(software_));
+  pane.renderer.set_quality(fine ? quality_at_rest(software_) : RenderQuality::moving(software_));
   // Twice the pixels each way, averaged as they are copied into the window, make edges smooth.
   pane.scale = fine && !software_ ? 2 : 1;
   const int width = pane.scale * pane.part.width;
@@ -138,7 +138,7 @@ void LandView::refine(const Snapshot& snapshot, const Look& look, const Camera& 
 }
 
 void LandView::order_stills(const Snapshot& snapshot, const Look& look, const Camera& camera) {
-  StillOrder order{{}, look, camera, effort_at_rest(software_)};
+  StillOrder order{{}, look, camera, quality_at_rest(software_)};
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     Pane& pane = *panes_[i];
     order.parts.push_back({snapshot.runs[i], pane.part.width, pane.part.height});
