@@ -235,7 +235,7 @@ std::string accepted_text(const Parameter& parameter) {
 }
 
 std::string accepted_with_unit(const Parameter& parameter) {
-  return accepted_text(parameter) + (parameter.unit.empty() ? "" : " " + parameter.unit);
+  return accepted_text(parameter) + (parameter.unit.empty() ? "" : " " + unit_text(parameter.unit));
 }
 
 ParameterValues::ParameterValues(Parameters declared) : declared_(std::move(declared)) {

@@ -168,7 +168,7 @@ std::vector<std::string> explain_grains(const ParameterValues& values, double ce
                 profile_speed(values, lifting_threshold(values, diameter), values.real("wind_height")),
                 values.real("wind_height"));
   std::snprintf(lines[2], sizeof lines[2],
-                "repose %g deg: a step of %d parcel%s (%.1f deg) stands, a larger one slides",
+                "repose %g°: a step of %d parcel%s (%.1f°) stands, a larger one slides",
                 values.real("repose_angle"), standing, standing == 1 ? "" : "s",
                 degrees(std::atan(standing * parcel / cell_size)));
   return {lines[0], lines[1], lines[2]};

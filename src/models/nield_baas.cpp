@@ -32,7 +32,7 @@ std::vector<std::string> explain_plants(const ParameterValues& values, double ce
   const int step =
       StandingSteps::of_angle(values.real("vegetated_repose_angle"), cell_size, values.real("slab_height")).straight;
   char line[120];
-  std::snprintf(line, sizeof line, "repose under plants %g deg: a step of %d slabs stands",
+  std::snprintf(line, sizeof line, "repose under plants %g°: a step of %d slabs stands",
                 values.real("vegetated_repose_angle"), step);
   lines.insert(lines.begin() + 1, line);
   return lines;

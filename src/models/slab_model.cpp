@@ -66,11 +66,11 @@ std::vector<std::string> explain_slabs(const ParameterValues& values, double cel
   const StandingSteps steps = standing_steps(values, cell_size);
   const double slab = values.real("slab_height");
   char repose[160];
-  std::snprintf(repose, sizeof repose, "repose %g deg: a step of %d slab%s (%.1f deg) stands, a larger one slides",
+  std::snprintf(repose, sizeof repose, "repose %g°: a step of %d slab%s (%.1f°) stands, a larger one slides",
                 values.real("repose_angle"), steps.straight, steps.straight == 1 ? "" : "s",
                 degrees(std::atan(steps.straight * slab / cell_size)));
   char shadow[120];
-  std::snprintf(shadow, sizeof shadow, "shadow %g deg: the shadow line falls %.3f slabs a cell",
+  std::snprintf(shadow, sizeof shadow, "shadow %g°: the shadow line falls %.3f slabs a cell",
                 values.real("shadow_angle"), shadow_fall(values.real("shadow_angle"), cell_size, slab));
   return {repose, shadow};
 }

@@ -32,8 +32,8 @@ Parameters snow_packing_parameters() {
                                         "density (taiga, which never settles, left out).",
                                         "Sturm et al. 2010"));
   parameters.push_back(real_parameter("packing_rate", "Packing rate", "1/day", fitted_rate, 0, 1,
-                                      "Growth of resistance on the first day at 0 deg C. Fitted: with the other "
-                                      "defaults all is frozen after 98 days at -20 deg C, as in print."));
+                                      "Growth of resistance on the first day at 0 °C. Fitted: with the other "
+                                      "defaults all is frozen after 98 days at -20 °C, as in print."));
   return parameters;
 }
 
@@ -84,7 +84,7 @@ std::vector<std::string> explain_packing(const ParameterValues& values, double c
   for (const double temperature : {-20.0, -15.0, -10.0, -5.0, 0.0}) {
     char text[40];
     const int count = days_to_freeze(values, temperature);
-    std::snprintf(text, sizeof text, " %s at %g deg C%s", count > 0 ? std::to_string(count).c_str() : "never",
+    std::snprintf(text, sizeof text, " %s at %g °C%s", count > 0 ? std::to_string(count).c_str() : "never",
                   temperature, temperature < 0 ? "," : "");
     days += text;
   }
@@ -154,7 +154,7 @@ ModelType snow_packing() {
   return {{.key = "snow_packing",
            .title = "Snow packing",
            .citation = "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
-                       "printed it is 0 at -20 deg C)",
+                       "printed it is 0 at -20 °C)",
            .makes = "snow ripples that freeze day by day",
            .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
            .step = "a day; polls as many cells as the grid has",

@@ -79,7 +79,7 @@ Parameters loose_parameters() {
 Parameters bonded_parameters() {
   return {
       real_parameter("bonding_time", "Bonding time", "h", 12, 0.01, 1e6,
-                     "Mean time in which loose snow bonds at -10 deg C.", tuned),
+                     "Mean time in which loose snow bonds at -10 °C.", tuned),
       real_parameter("bonding_warmth", "Bonding by warmth", "1/K", 0.08, 0, 1,
                      "The bonding time falls as exp(-0.08 (T + 10)).", "viscosity of snow; form our own"),
       at_start(real_parameter("start_age", "Age at the start", "h", 0, 0, 1e7,
@@ -155,7 +155,7 @@ void fill(OctaveTable& table, const Function& function) {
 std::vector<std::string> explain_sintering(const ParameterValues& values, double cell_size) {
   char loose_snow[160], hop[160];
   std::snprintf(loose_snow, sizeof loose_snow,
-                "at -10 deg C loose snow an hour old lifts from %.1f m/s on; bonding takes %.1f h", mean_threshold(-10),
+                "at -10 °C loose snow an hour old lifts from %.1f m/s on; bonding takes %.1f h", mean_threshold(-10),
                 bonding_hours(values, -10));
   std::snprintf(hop, sizeof hop, "a hop in a wind of 10 m/s: %.2f m, %.1f cells", hop_metres(values, 10),
                 hop_metres(values, 10) / cell_size);

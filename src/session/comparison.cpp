@@ -1,4 +1,5 @@
 #include "session/comparison.h"
+#include "core/number_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,7 +15,7 @@ namespace {
 std::string shown(const ParameterValues& values, const std::string& key) {
   const Parameter* parameter = values.find(key);
   if (parameter == nullptr) return "-";
-  return value_text(values.value(key)) + (parameter->unit.empty() ? "" : " " + parameter->unit);
+  return value_text(values.value(key)) + (parameter->unit.empty() ? "" : " " + unit_text(parameter->unit));
 }
 
 bool all_same(const std::vector<std::string>& values) {
@@ -56,7 +57,7 @@ std::vector<SetupDifference> Comparison::differences() const {
   add("temperature", "Temperature", [](const Setup& setup) -> std::string {
     if (!setup.model().info.asks_temperature) return "-";
     const Temperature& temperature = setup.config().temperature;
-    return value_text(temperature.first) + " to " + value_text(temperature.last) + " deg C";
+    return value_text(temperature.first) + " to " + value_text(temperature.last) + " °C";
   });
   for (const sim::ConfigGroup& group : sim::config_groups()) {
     std::set<std::string> seen;

@@ -104,7 +104,7 @@ void add_measure_command(CLI::App& program, Action& action) {
       ->allow_extra_args(false);
   command
       ->add_option("--steps", request->steps,
-                   "Step to measure (default: a config's last step; a checkpoint as it stands)")
+                   "Step to measure (default: a config's last step; a checkpoint's own)")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--every", request->every, "Measure every so many steps from the start on, and the last")
       ->check(CLI::PositiveNumber);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "core/units.h"
 #include "forcing/bearing.h"
 #include "ui/widgets/axis_ticks.h"
@@ -84,7 +85,7 @@ void draw_legend(const LandPart& land, const render::Look& look) {
   const float bar = gui.px(14);
   const float high = std::min(gui.px(180), 0.4f * static_cast<float>(land.part.height));
   const float line = ImGui::GetFontSize();
-  const std::string title = scale.label + (scale.unit.empty() ? "" : ", " + scale.unit);
+  const std::string title = scale.label + (scale.unit.empty() ? "" : ", " + unit_text(scale.unit));
   const float wide = std::max(ImGui::CalcTextSize(title.c_str()).x, bar + gui.px(8) + 4.5f * line);
   list.AddRectFilled(corner, {corner.x + wide + gui.px(16), corner.y + high + 2.4f * line + gui.px(8)},
                      with_opacity(gui.theme().panel, plate_opacity), gui.px(3));

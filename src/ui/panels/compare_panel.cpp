@@ -1,6 +1,7 @@
 // COMPARE: two to four runs under one wind and clock, and how they differ.
 #include <cmath>
 
+#include "core/number_text.h"
 #include "io/formats/run_numbers.h"
 #include "session/app_model.h"
 #include "ui/panels/panels.h"
@@ -115,7 +116,7 @@ void ComparePanel::draw_numbers(const Snapshot& now) {
     ImGui::TextUnformatted(number.number.label.c_str());
     if (!number.number.unit.empty()) {
       ImGui::SameLine();
-      ImGui::TextDisabled("%s", number.number.unit.c_str());
+      ImGui::TextDisabled("%s", unit_text(number.number.unit).c_str());
     }
     tooltip(number.number.meaning);
     for (const double value : number.values) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/number_text.h"
 #include "io/formats/run_numbers.h"
 #include "session/app_model.h"
 #include "session/probe.h"
@@ -38,7 +39,7 @@ constexpr std::array<Spread, 3> spreads{
 
 /// "height, m".
 std::string with_unit(const RunNumber& number) {
-  return number.unit.empty() ? number.label : number.label + ", " + number.unit;
+  return number.unit.empty() ? number.label : number.label + ", " + unit_text(number.unit);
 }
 
 std::size_t column_of(const std::string& key) {

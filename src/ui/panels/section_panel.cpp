@@ -90,7 +90,7 @@ void SectionPanel::draw_hint() const {
 
 void SectionPanel::draw_cut(const RunSnapshot& run) {
   if (!lies_on(*run.terrain, *from_) || !lies_on(*run.terrain, *to_)) {
-    explain("The points lie outside this terrain. Pick them anew.");
+    explain("The points lie outside this terrain. Pick them again.");
     return;
   }
   if (cut_version_ != run.terrain_version) {

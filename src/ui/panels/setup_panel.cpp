@@ -32,7 +32,7 @@ std::string waiting_for_create(const Setup& setup, const Config* running) {
       if (row.pending && row.needs_new_terrain) waiting += "\n- " + row.parameter->label;
     }
   }
-  return waiting.empty() ? "Makes the terrain anew." : "Makes a new terrain. These changes wait for it:" + waiting;
+  return waiting.empty() ? "Makes the terrain again." : "Makes a new terrain. These changes wait for it:" + waiting;
 }
 
 class SetupPanel final : public Panel {

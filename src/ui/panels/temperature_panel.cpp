@@ -1,6 +1,7 @@
 // TEMPERATURE: over the run, for models that ask for it.
 #include <algorithm>
 
+#include "core/number_text.h"
 #include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/curve_editor.h"
@@ -53,7 +54,7 @@ void TemperaturePanel::draw_curve(PanelContext& context) {
   }
   CurveFrame frame;
   frame.x_label = "step of the run";
-  frame.y_label = temperature_parameter().unit;
+  frame.y_label = unit_text(temperature_parameter().unit);
   frame.x = {0, static_cast<double>(std::max<std::int64_t>(1, setup.config().run.integer("steps") - 1))};
   frame.y = {now.first, now.last};
   frame.height = Gui::current().px(170);

@@ -92,8 +92,8 @@ void Shell::make_view_actions() {
       app_.settings().scale = scale;
     };
   };
-  actions_.push_back({.menu = "View", .label = "Larger letters", .key = '+', .act = scale_by(0.25)});
-  actions_.push_back({.menu = "View", .label = "Smaller letters", .key = '-', .act = scale_by(-0.25)});
+  actions_.push_back({.menu = "View", .label = "Larger text", .key = '+', .act = scale_by(0.25)});
+  actions_.push_back({.menu = "View", .label = "Smaller text", .key = '-', .act = scale_by(-0.25)});
   actions_.push_back(
       {.menu = "View", .label = "Letters to suit the screen", .act = [this] { app_.settings().scale = 0; }});
 }
