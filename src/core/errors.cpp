@@ -68,7 +68,7 @@ InputError::InputError(std::vector<Mistake> mistakes)
 InputError::InputError(std::string place, std::string problem, std::string remedy)
     : InputError(std::vector<Mistake>{{std::move(place), std::move(problem), std::move(remedy)}}) {}
 
-std::string quoted(std::string_view text) {
+std::string quote(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::size_t length = std::min(text.size(), longest);
   const auto continues = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80; };

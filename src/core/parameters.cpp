@@ -38,7 +38,7 @@ std::string shown(const ParameterValue& value) {
   if (curve != nullptr && curve->vertices.size() > most_vertices) {
     return std::to_string(curve->vertices.size()) + " vertices";
   }
-  return text != nullptr ? quoted(*text) : value_text(value);
+  return text != nullptr ? quote(*text) : value_text(value);
 }
 
 Mistake unacceptable(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
@@ -68,7 +68,7 @@ std::optional<Mistake> check_choice(const Parameter& parameter, const ParameterV
   const auto* text = std::get_if<std::string>(&value);
   if (text == nullptr) return unacceptable(parameter, value, place);
   if (std::ranges::find(parameter.choices, *text) != parameter.choices.end()) return std::nullopt;
-  return Mistake{place, "unknown " + parameter.key + " " + quoted(*text), suggestion(*text, parameter.choices)};
+  return Mistake{place, "unknown " + parameter.key + " " + quote(*text), suggestion(*text, parameter.choices)};
 }
 
 std::optional<Mistake> check_curve(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
@@ -254,7 +254,7 @@ void ParameterValues::set(std::string_view key, ParameterValue value) {
   if (parameter == nullptr) {
     std::vector<std::string> keys;
     for (const Parameter& known : declared_) keys.push_back(known.key);
-    throw InputError("", "unknown key " + quoted(key), suggestion(key, keys));
+    throw InputError("", "unknown key " + quote(key), suggestion(key, keys));
   }
   if (auto mistake = check_value(*parameter, value, "")) throw InputError({std::move(*mistake)});
   values_[position(key)] = stored(*parameter, std::move(value));

@@ -75,7 +75,7 @@ void draw_legend_bar(RgbImage& image, const ValueScale& scale) {
 int draw_wind(RgbImage& image, int left, const Overlay& overlay) {
   const std::string text = "wind " + number_text(std::round(*overlay.wind)) + "°";
   const int baseline = image.height - margin;
-  // The arrow lies on the land: it turns with the camera.
+  // The arrow lies on the terrain: it turns with the camera.
   const double toward = radians(*overlay.wind + 180 - (overlay.camera_bearing + 180));
   draw_plate(image, left - 8, baseline - 25, label_width(text, text_size) + 56, 36);
   picture::draw_arrow(image, left + 16, baseline - 6, std::sin(toward), std::cos(toward), 30, ink);

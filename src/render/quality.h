@@ -7,7 +7,7 @@ namespace erg::render {
 struct RenderQuality {
   int largest_side = 4096;  ///< cells a side that are drawn as one; what larger grids become is told by `tiled`
   int largest_map = 4096;  ///< texels a side of the smooth surface, which has two for the side of a cell where they fit
-  double step_pixels = 2;  ///< length of the land's triangles in the picture
+  double step_pixels = 2;  ///< length of the terrain's triangles in the picture
   int finest = 256;        ///< most steps for 64 cells
   bool grains = true;      ///< grains, ripples and stones
   /// Larger grids are drawn in sheets, each as fine as the picture shows it; otherwise as means of blocks of cells.
@@ -22,7 +22,7 @@ struct RenderQuality {
 
   /// A still picture, with all there is.
   static RenderQuality still() { return {}; }
-  /// A picture at once while a person moves or the land changes: on a graphics card, or on the processor.
+  /// A picture at once while a person moves or the terrain changes: on a graphics card, or on the processor.
   static RenderQuality moving(bool software) {
     RenderQuality quality;
     quality.step_pixels = 3;

@@ -1,20 +1,20 @@
-// How a land is cut into sheets.
+// How a terrain is cut into sheets.
 #pragma once
 
 #include <vector>
 
 #include "render/camera.h"
-#include "render/land_sheet.h"
 #include "render/quality.h"
+#include "render/terrain_sheet.h"
 
 namespace erg::render {
 
-/// What decides how a land is cut.
+/// What decides how a terrain is cut.
 struct SheetPlanRequest {
   const Terrain& terrain;
   const RenderQuality& quality;
   const picture::Camera& camera;
-  LandBox land;
+  TerrainBox box;
   int picture_height = 1;  ///< pixels
 };
 

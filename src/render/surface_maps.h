@@ -13,7 +13,7 @@
 namespace erg::render {
 
 /// The programs that make maps, and the maps between cells and surface that are needed only while one is made; shared
-/// by all sheets of a land.
+/// by all sheets of a terrain.
 struct SurfaceWorkshop {
   explicit SurfaceWorkshop(const std::filesystem::path& shaders);
 
@@ -35,7 +35,7 @@ struct SurfaceSource {
 /// What the light comes from and falls on.
 struct LightSource {
   double exaggeration = 1;
-  double low = 0;                  ///< m: the lowest point of the land, exaggerated
+  double low = 0;                  ///< m: the lowest point of the terrain, exaggerated
   double high = 0;                 ///< m: the highest
   double sun_tangent = 1;          ///< of the sun's altitude
   std::array<float, 2> to_sun{};   ///< unit vector on the ground

@@ -75,7 +75,7 @@ bool apply_to_field(Terrain& terrain, const BrushStamp& stamp, const std::vector
   const auto same_key = [&](const Field& field) { return field.info.key == stamp.field; };
   const auto place = std::ranges::find_if(terrain.fields(), same_key) - terrain.fields().begin();
   if (place == static_cast<std::ptrdiff_t>(terrain.fields().size())) {
-    throw InputError("brush", "this model has no layer " + quoted(stamp.field), "choose another");
+    throw InputError("brush", "this model has no layer " + quote(stamp.field), "choose another");
   }
   Field& field = terrain.edit_fields()[static_cast<std::size_t>(place)];
   bool changed = false;

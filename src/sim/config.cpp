@@ -45,9 +45,9 @@ class Assignment {
     }
     if (key_ == "temperature") return void(config_.temperature.first = config_.temperature.last = temperature());
     const std::vector<std::string> matches = full_keys_matching();
-    if (matches.empty()) throw InputError(place_, "unknown key " + quoted(key_), suggestion(key_, possible_keys()));
+    if (matches.empty()) throw InputError(place_, "unknown key " + quote(key_), suggestion(key_, possible_keys()));
     if (matches.size() > 1) {
-      throw InputError(place_, quoted(key_) + " is found in several groups", "say which: " + join(matches, " or "));
+      throw InputError(place_, quote(key_) + " is found in several groups", "say which: " + join(matches, " or "));
     }
     set(matches.front());
   }
@@ -89,7 +89,7 @@ class Assignment {
   void set_model() {
     const std::vector<std::string> keys = model_keys();
     if (std::ranges::find(keys, value_) == keys.end()) {
-      throw InputError(place_, "unknown model " + quoted(value_), suggestion(value_, keys));
+      throw InputError(place_, "unknown model " + quote(value_), suggestion(value_, keys));
     }
     change_model(config_, value_);
   }
@@ -253,7 +253,7 @@ Parameters run_parameters() {
 }
 
 Mistake not_asked_for(const std::string& key, const std::string& model_key) {
-  return {"", quoted(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
+  return {"", quote(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
 }
 
 Regime starting_wind(const ModelStart& start) {

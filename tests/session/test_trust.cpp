@@ -225,7 +225,7 @@ struct ShortMemory : testing::Test {
     app.runner().wait_until_still();
     app.tick();
   }
-  void expect_the_small_land() {
+  void expect_the_small_terrain() {
     ASSERT_EQ(app.now().runs.size(), 1u);
     EXPECT_EQ(app.now().runs[0].terrain->nx(), 48);
     EXPECT_EQ(app.now().step(), 1);
@@ -240,13 +240,13 @@ Config huge() {
   return config;
 }
 
-TEST_F(ShortMemory, AHugeLandIsRefusedInTheLogAndWhatWasThereStays) {
+TEST_F(ShortMemory, AHugeTerrainIsRefusedInTheLogAndWhatWasThereStays) {
   const LimitRestored restored(RLIMIT_AS);
   limit_memory(rlim_t{600} << 20);
   app.setup().replace(huge());
   EXPECT_TRUE(app.create());
   settle();
-  expect_the_small_land();
+  expect_the_small_terrain();
   const std::string log = app.log().text(LogLevel::error);
   EXPECT_NE(log.find("grid: 16384 x 16384 cells need "), std::string::npos) << log;
   EXPECT_NE(log.find(" would fit"), std::string::npos) << log;
@@ -262,7 +262,7 @@ TEST_F(ShortMemory, OpeningAHugeConfigKeepsWhatWasOpen) {
   limit_memory(rlim_t{600} << 20);
   app.open(folder / "huge.json");
   settle();
-  expect_the_small_land();
+  expect_the_small_terrain();
   EXPECT_EQ(app.setup().config().grid.integer("nx"), 48);
   EXPECT_TRUE(app.file().empty());
 }
@@ -281,7 +281,7 @@ TEST_F(ShortMemory, AComparisonThatDoesNotFitIsRefusedWhereEachRunAloneWouldFit)
   app.comparison().add_copy_of(0);
   EXPECT_TRUE(app.create());
   settle();
-  expect_the_small_land();
+  expect_the_small_terrain();
   EXPECT_GT(app.log().count(LogLevel::error), 0u);
 }
 
@@ -295,7 +295,7 @@ TEST_F(ShortMemory, ASavedRunThatFitsWithoutItsCopiesOnlyIsRefused) {
   EXPECT_NO_THROW(check_memory({&large, 1}, 0, sim::free_memory()));
   app.runner().resume(std::move(saved));
   settle();
-  expect_the_small_land();
+  expect_the_small_terrain();
   EXPECT_NE(app.log().text(LogLevel::error).find("grid: 4096 x 4096 cells need "), std::string::npos)
       << app.log().text();
 }

@@ -36,7 +36,7 @@ PanelHand::PanelHand(std::unique_ptr<Panel> panel, const std::function<void(cons
 void PanelHand::draw() {
   if (app.settings().last_folder.empty()) app.settings().last_folder = folder.path().string();
   app.tick();
-  ui::PanelContext context{app, land, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
+  ui::PanelContext context{app, pointer, ui::TerrainTool::camera, {}, {}, {}, {}, {}, {}};
   context.open = [this](const std::string& title) { opened.push_back(title); };
   context.close = [this](const std::string& title) { closed.push_back(title); };
   context.leave = [](const std::string&, session::Leaves, const std::function<void()>& act) { act(); };
@@ -64,10 +64,10 @@ void PanelHand::settle() {
   hand.frames(2);
 }
 
-void PanelHand::click_land(session::CellPlace cell) {
-  land = {cell, true, true};
+void PanelHand::click_terrain(session::CellPlace cell) {
+  pointer = {cell, true, true};
   hand.frames();
-  land = {cell, false, false};
+  pointer = {cell, false, false};
   hand.frames();
 }
 

@@ -1,4 +1,4 @@
-// The whole interface without a window, over a small land.
+// The whole interface without a window, over a small terrain.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -147,7 +147,7 @@ TEST(LogPanel, FiltersByLevelCopiesAndClears) {
 
 TEST(RecoveryPanel, ShowsNothingAfterAnOrderlyEnd) {
   PanelHand panel(make_recovery_panel());
-  const ui::PanelContext context{panel.app, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
+  const ui::PanelContext context{panel.app, {}, ui::TerrainTool::camera, {}, {}, {}, {}, {}, {}};
   EXPECT_FALSE(make_recovery_panel()->wanted(context));
 }
 

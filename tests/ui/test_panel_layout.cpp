@@ -91,8 +91,8 @@ TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
     grow(panel);
     if (title == "SECTION") {
       panel.hand.click("PICK TWO POINTS");
-      panel.click_land({4, 60});
-      panel.click_land({124, 70});
+      panel.click_terrain({4, 60});
+      panel.click_terrain({124, 70});
     }
     if (title == "TEMPERATURE") {
       panel.app.setup().choose_model("snow_packing");
@@ -111,7 +111,7 @@ TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
   }
 }
 
-/// The whole interface over a flat land, with a session that a crash left.
+/// The whole interface over a flat terrain, with a session that a crash left.
 struct WholeWindow {
   explicit WholeWindow(float scale) : app(folders()), hand([this] { draw(); }, {1280 * scale, 800 * scale}, scale) {
     app.settings().scale = scale;

@@ -6,11 +6,11 @@
 namespace erg::test {
 
 using session::CellPlace;
-using ui::LandTool;
 using ui::make_compare_panel;
 using ui::make_numbers_panel;
 using ui::make_paint_panel;
 using ui::make_section_panel;
+using ui::TerrainTool;
 
 namespace {
 
@@ -36,12 +36,12 @@ TEST(NumbersPanel, PlotsTheRunAndSavesItsDataAsCsv) {
 TEST(SectionPanel, CutsBetweenTwoClickedPoints) {
   PanelHand panel(make_section_panel());
   panel.create();
-  EXPECT_EQ(panel.tool, LandTool::camera);
+  EXPECT_EQ(panel.tool, TerrainTool::camera);
   panel.hand.click("PICK TWO POINTS");
-  EXPECT_EQ(panel.tool, LandTool::section);
-  panel.click_land({2, 3});
-  panel.click_land({22, 3});
-  EXPECT_EQ(panel.tool, LandTool::camera) << "after two points the mouse turns the view again";
+  EXPECT_EQ(panel.tool, TerrainTool::section);
+  panel.click_terrain({2, 3});
+  panel.click_terrain({22, 3});
+  EXPECT_EQ(panel.tool, TerrainTool::camera) << "after two points the mouse turns the view again";
   ASSERT_TRUE(panel.hand.has("cut"));
   ASSERT_EQ(panel.marks.size(), 1u);
   EXPECT_EQ(panel.marks[0].points.size(), 2u);
@@ -63,12 +63,12 @@ TEST(PaintPanel, AStrokePutsSandDownAndIsUndoneExactly) {
   PanelHand panel(make_paint_panel());
   panel.create();
   const std::int64_t before = mobile(panel);
-  panel.click_land({10, 10});
+  panel.click_terrain({10, 10});
   panel.settle();
   EXPECT_EQ(mobile(panel), before) << "the brush was not taken";
   panel.hand.click("TAKE THE BRUSH");
-  EXPECT_EQ(panel.tool, LandTool::paint);
-  panel.click_land({10, 10});
+  EXPECT_EQ(panel.tool, TerrainTool::paint);
+  panel.click_terrain({10, 10});
   panel.settle();
   const std::int64_t after = mobile(panel);
   EXPECT_GT(after, before);
@@ -91,11 +91,11 @@ TEST(PaintPanel, AStrokeHasNoGapsHoweverFastThePointerMoves) {
   panel.create();
   panel.hand.click("TAKE THE BRUSH");
   const Terrain before = *panel.app.now().runs.front().terrain;
-  panel.land = {CellPlace{4, 12}, true, true};
+  panel.pointer = {CellPlace{4, 12}, true, true};
   panel.hand.frames();
-  panel.land = {CellPlace{28, 12}, false, true};
+  panel.pointer = {CellPlace{28, 12}, false, true};
   panel.hand.frames();
-  panel.land = {CellPlace{28, 12}, false, false};
+  panel.pointer = {CellPlace{28, 12}, false, false};
   panel.settle();
   for (int x = 4; x <= 28; ++x) EXPECT_GT(put_on(panel, before, {x, 12}), 0) << x;
   EXPECT_EQ(panel.app.now().undo_count, 1u) << "one stroke";
@@ -106,14 +106,14 @@ TEST(PaintPanel, HoldingTheBrushStillPours) {
   panel.create();
   panel.hand.click("TAKE THE BRUSH");
   const Terrain before = *panel.app.now().runs.front().terrain;
-  panel.click_land({10, 10});
+  panel.click_terrain({10, 10});
   panel.settle();
   const std::int32_t once = put_on(panel, before, {10, 10});
-  panel.land = {CellPlace{24, 12}, true, true};
+  panel.pointer = {CellPlace{24, 12}, true, true};
   panel.hand.frames();
-  panel.land = {CellPlace{24, 12}, false, true};
+  panel.pointer = {CellPlace{24, 12}, false, true};
   panel.hand.frames(60);  // a second
-  panel.land = {CellPlace{24, 12}, false, false};
+  panel.pointer = {CellPlace{24, 12}, false, false};
   panel.settle();
   EXPECT_GE(put_on(panel, before, {24, 12}), 4 * once);
   EXPECT_EQ(panel.app.now().undo_count, 2u) << "a touch and a stroke";
@@ -124,12 +124,12 @@ TEST(PaintPanel, TheFirstTouchIsSeenAndItsAmountIsInMetres) {
   panel.create();
   panel.hand.click("TAKE THE BRUSH");
   const Terrain before = *panel.app.now().runs.front().terrain;
-  panel.click_land({16, 12});
+  panel.click_terrain({16, 12});
   panel.settle();
   const double metres = before.metres(put_on(panel, before, {16, 12}));
   EXPECT_GE(metres, 0.3 * before.cell_size()) << "a heap, not a film";
   panel.hand.enter("amount", std::to_string(before.metres(7)));
-  panel.click_land({5, 5});
+  panel.click_terrain({5, 5});
   panel.settle();
   EXPECT_EQ(put_on(panel, before, {5, 5}), 7);
 }
@@ -141,14 +141,14 @@ TEST(PaintPanel, RockIsPutAndSandTaken) {
   panel.hand.click("TAKE THE BRUSH");
   panel.hand.click("PAINT/ROCK");
   panel.hand.enter("amount", std::to_string(panel.app.now().runs.front().terrain->metres(5)));
-  panel.click_land({10, 10});
+  panel.click_terrain({10, 10});
   panel.settle();
   const Terrain& terrain = *panel.app.now().runs.front().terrain;
   EXPECT_EQ(terrain.bedrock()(10, 10), 5);
   EXPECT_EQ(mobile(panel), sand);
   panel.hand.click("SAND");
   panel.hand.click("PAINT/TAKE");
-  panel.click_land({20, 12});
+  panel.click_terrain({20, 12});
   panel.settle();
   EXPECT_LT(mobile(panel), sand);
 }
@@ -167,17 +167,17 @@ TEST(PaintPanel, PlantsArePutAndTakenWhereTheModelHasThem) {
   panel.hand.click("TAKE THE BRUSH");
   panel.hand.click("PAINT/GRASS");
   panel.hand.enter("PAINT/strength", "0.5");
-  panel.click_land({10, 10});
+  panel.click_terrain({10, 10});
   panel.settle();
   EXPECT_EQ(grass(), 0.5f);
   panel.hand.click("PAINT/TAKE");
-  panel.click_land({10, 10});
+  panel.click_terrain({10, 10});
   panel.settle();
   EXPECT_EQ(grass(), 0);
   panel.app.setup().choose_model("momiji");
   panel.app.create();
   panel.settle();
-  panel.click_land({10, 10});
+  panel.click_terrain({10, 10});
   panel.settle();
   EXPECT_EQ(panel.app.log().count(session::LogLevel::error), 0u) << "the brush has sand again";
 }
@@ -208,8 +208,8 @@ TEST(SectionPanel, WhileACopyWaitsForCreateTheCutIsThatOfTheRunShown) {
   panel.settle();
   panel.app.set_active(*panel.app.comparison().add_copy_of(0));
   panel.hand.click("PICK TWO POINTS");
-  panel.click_land({2, 3});
-  panel.click_land({22, 3});
+  panel.click_terrain({2, 3});
+  panel.click_terrain({22, 3});
   panel.hand.click("SECTION/SAVE");
   panel.hand.enter("SAVE SECTION/name", "cut.csv");
   EXPECT_EQ(panel.app.provenance().step, 3);

@@ -93,7 +93,7 @@ TEST(SetupPanel, ASceneOfAPictureAsksForItAndTakesItFromTheBrowser) {
   EXPECT_EQ(panel.app.setup().config().scene.text("image"), panel.folder / "hills.png");
 }
 
-TEST(SetupPanel, AMapOfPlantsIsChosenLikeAPictureOfTheLand) {
+TEST(SetupPanel, AMapOfPlantsIsChosenLikeAPictureOfTheTerrain) {
   PanelHand panel(make_setup_panel(), [](const TemporaryFolder& folder) { write_bytes(folder / "dunes.png", "x"); });
   panel.app.setup().choose_model("nield_baas");
   panel.app.setup().set("parameters", "vegetation", std::string("image"));

@@ -1,4 +1,4 @@
-// Menus, run bar, look panel, land: what a hand does there reaches the view model.
+// Menus, run bar, look panel, terrain: what a hand does there reaches the view model.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -181,7 +181,7 @@ TEST_F(ShellHand, AnUnsavedSetupWithoutAFileAsksForOne) {
   EXPECT_EQ(read_config(folder / "new.json"), small_config());
 }
 
-TEST_F(ShellHand, CreatingOverAPaintedLandAsksFirst) {
+TEST_F(ShellHand, CreatingOverAPaintedTerrainAsksFirst) {
   app.settings().last_folder = folder.path().string();
   create();
   app.runner().paint(0, {.x = 10.5, .y = 10.5, .radius = 3, .amount = 9}, 1);
@@ -283,11 +283,11 @@ TEST_F(ShellHand, AViewIsKeptUnderItsNameReplacedAndForgotten) {
   EXPECT_FALSE(hand.has("lee-side/lee-side"));
 }
 
-TEST_F(ShellHand, TheMouseTurnsShiftsAndNearsTheLand) {
+TEST_F(ShellHand, TheMouseTurnsShiftsAndNearsTheTerrain) {
   create();
   hand.shortcut('3', false);
   const Camera before = shell->view_state().camera.camera();
-  const ImVec2 middle = hand.place("land").middle();
+  const ImVec2 middle = hand.place("terrain").middle();
   hand.drag(middle, ImVec2(middle.x + 80, middle.y));
   const Camera turned = shell->view_state().camera.camera();
   EXPECT_NE(turned.bearing, before.bearing);
@@ -302,11 +302,11 @@ TEST_F(ShellHand, TheMouseTurnsShiftsAndNearsTheLand) {
   EXPECT_EQ(shell->view_state().camera.camera().bearing, turned.bearing);
 }
 
-TEST_F(ShellHand, TheLandUnderThePointerIsRead) {
+TEST_F(ShellHand, TheTerrainUnderThePointerIsRead) {
   create();
   hand.shortcut('1', false);
   EXPECT_FALSE(hand.has("LAND/reading"));
-  hand.move(hand.place("land").middle());
+  hand.move(hand.place("terrain").middle());
   hand.frames(2);
   EXPECT_TRUE(hand.has("LAND/reading"));
 }
@@ -348,10 +348,10 @@ TEST_F(ShellHand, PanelsFoldAndColumnsAreDraggedAndBothAreRemembered) {
   const WidgetPlace edge = hand.place("edge left");
   hand.drag(edge.middle(), ImVec2(edge.middle().x + 60, edge.middle().y));
   EXPECT_NEAR(app.settings().layout.at("left width"), 390, 6);
-  EXPECT_NEAR(hand.place("land").low.x, 390, 8);
+  EXPECT_NEAR(hand.place("terrain").low.x, 390, 8);
   hand.key(ui::keys::function + 2);
   EXPECT_FALSE(hand.has("edge left"));
-  EXPECT_EQ(hand.place("land").low.x, 0);
+  EXPECT_EQ(hand.place("terrain").low.x, 0);
 }
 
 TEST_F(ShellHand, TheStatusSaysThatNoMassIsLost) {

@@ -1,4 +1,4 @@
-// Who gets the keys: the land, a dialog, a menu; and what CREATE shows.
+// Who gets the keys: the terrain, a dialog, a menu; and what CREATE shows.
 #include <gtest/gtest.h>
 
 #include "shell_hand.h"
@@ -32,7 +32,7 @@ TEST_F(ShellHand, KeysNeverActThroughADialogOrAMenu) {
   EXPECT_EQ(now().step(), 0) << "and now none is";
 }
 
-TEST_F(ShellHand, TheLandDoesNotFlyWhileADialogIsTypedInto) {
+TEST_F(ShellHand, TheTerrainDoesNotFlyWhileADialogIsTypedInto) {
   create();
   const picture::Camera before = shell->view_state().camera.camera();
   shell->open("KEYS");
@@ -71,10 +71,10 @@ TEST_F(ShellHand, AListInADialogClosesBeforeTheDialog) {
   EXPECT_TRUE(shell->is_open("KEYS"));
 }
 
-TEST_F(ShellHand, CreateShowsTheNewLandWhole) {
+TEST_F(ShellHand, CreateShowsTheNewTerrainWhole) {
   create();
   hand.frames(3);
-  hand.move(hand.place("land").middle());
+  hand.move(hand.place("terrain").middle());
   hand.scroll(8);
   hand.frames(2);
   const double near = shell->view_state().camera.camera().distance;

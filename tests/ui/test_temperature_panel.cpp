@@ -14,7 +14,7 @@ namespace {
 TEST(TemperaturePanel, IsWantedForSnowOnly) {
   PanelHand panel(make_wind_panel());
   const auto temperature = make_temperature_panel();
-  const ui::PanelContext context{panel.app, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
+  const ui::PanelContext context{panel.app, {}, ui::TerrainTool::camera, {}, {}, {}, {}, {}, {}};
   EXPECT_FALSE(temperature->wanted(context));
   panel.app.setup().choose_material(Material::snow);
   EXPECT_TRUE(temperature->wanted(context));

@@ -65,9 +65,9 @@ TEST(Parameters, UnknownChoicesAreCorrected) {
 
 TEST(Parameters, MessagesStayOnOneLine) {
   const std::string nasty = "a\nb\x1b" + std::string(100, 'x');
-  EXPECT_EQ(quoted(nasty), "\"a?b?" + std::string(56, 'x') + "...\"");
+  EXPECT_EQ(quote(nasty), "\"a?b?" + std::string(56, 'x') + "...\"");
   // A cut never splits a character: 59 letters, then one of two bytes.
-  EXPECT_EQ(quoted(std::string(59, 'x') + "\u00e9y"), "\"" + std::string(59, 'x') + "...\"");
+  EXPECT_EQ(quote(std::string(59, 'x') + "\u00e9y"), "\"" + std::string(59, 'x') + "...\"");
 }
 
 TEST(Parameters, ValuesAreReadAsTyped) {

@@ -36,7 +36,7 @@ PictureTime time_of(int turns, const Work& work) {
 }
 
 /// Transverse dunes, as they stand before the first step.
-Terrain bench_land(int grid) {
+Terrain bench_terrain(int grid) {
   return sim::build_scene(bench_config("momiji", grid, {"scene.kind=transverse"}), 1.0 / 3);
 }
 
@@ -49,7 +49,7 @@ RenderBenchRow measure(Terrain& terrain, const RenderQuality& quality, const std
   std::uint64_t version = 1;
   view.version = version;
   render::Look look;
-  picture::Camera camera = render::camera_preset("oblique", Renderer::land_of(view, look),
+  picture::Camera camera = render::camera_preset("oblique", Renderer::box_of(view, look),
                                                  static_cast<double>(bench_size.width) / bench_size.height);
   render::PictureTarget target;
   target.prepare(bench_size.width, bench_size.height);
@@ -92,7 +92,7 @@ std::vector<RenderBenchRow> run_render_bench(const std::vector<int>& grids, cons
   std::vector<RenderBenchRow> rows;
   for (const int grid : grids) {
     std::cerr << "drawing " << grid << " x " << grid << " cells\n";
-    Terrain terrain = bench_land(grid);
+    Terrain terrain = bench_terrain(grid);
     rows.push_back(measure(terrain, RenderQuality::moving(context->is_software()), "moving", 5));
     rows.push_back(measure(terrain, RenderQuality::still(), "still", 1));
   }

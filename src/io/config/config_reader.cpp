@@ -92,10 +92,10 @@ class ConfigReader {
     for (const JsonMember& member : object) {
       const auto [first, is_new] = lines.emplace(member.key, member.line);
       if (!is_new) {
-        mistakes().add(member.line, "duplicate key " + quoted(member.key),
+        mistakes().add(member.line, "duplicate key " + quote(member.key),
                        "it stands on line " + std::to_string(first->second) + " already; keep one of the two");
       } else if (std::ranges::find(known, member.key) == known.end()) {
-        mistakes().add(member.line, "unknown key " + quoted(member.key), better_key(member.key, known));
+        mistakes().add(member.line, "unknown key " + quote(member.key), better_key(member.key, known));
       }
     }
   }
@@ -167,7 +167,7 @@ class ConfigReader {
     }
     std::string key = *node->text();
     if (std::ranges::find(keys, key) == keys.end()) {
-      mistakes().add(node->line, "unknown model " + quoted(key), suggestion(key, keys));
+      mistakes().add(node->line, "unknown model " + quote(key), suggestion(key, keys));
       key = nearest_word(key, keys);
     }
     if (key.empty()) return false;
@@ -217,7 +217,7 @@ class ConfigReader {
     const std::string& choice = path->only_when.front();
     const JsonNode* wanting = find(*members->object(), choice);
     mistakes().add(wanting != nullptr ? wanting->line : members->line,
-                   choice + " " + quoted(values.text(choice)) + " needs a picture",
+                   choice + " " + quote(values.text(choice)) + " needs a picture",
                    "add \"" + path->key + "\": \"picture.png\" beside it");
   }
 
@@ -238,7 +238,7 @@ class ConfigReader {
     for (const char* key : {"bearing", "strength", "spread", "hold"}) {
       const JsonNode* beside = find(*wind, key);
       if (beside == nullptr) continue;
-      mistakes().add(beside->line, quoted(key) + " stands beside \"seasons\"", "move it into each season");
+      mistakes().add(beside->line, quote(key) + " stands beside \"seasons\"", "move it into each season");
     }
     read_seasons(*seasons, snows);
   }

@@ -8,7 +8,7 @@
 #include "core/units.h"
 #include "forcing/bearing.h"
 #include "picture/palette.h"
-#include "ui/land/land_view.h"
+#include "ui/land/terrain_panes.h"
 #include "ui/widgets/widgets.h"
 
 namespace erg::ui {
@@ -127,7 +127,7 @@ void LookPanel::draw_what(PanelContext& context) {
   std::vector<std::string> labels;
   for (const LookChoice& choice : choices) labels.push_back(choice.label);
   std::string label = shown == choices.end() ? choices.front().label : shown->label;
-  if (choice_row({.label = "show", .tooltip = "What the land is coloured by"}, label, labels) == RowEvent::changed) {
+  if (choice_row({.label = "show", .tooltip = "What the terrain is coloured by"}, label, labels) == RowEvent::changed) {
     const auto chosen = std::find(labels.begin(), labels.end(), label) - labels.begin();
     view_state_.look.show = choices[static_cast<std::size_t>(chosen)].key;
   }
@@ -210,7 +210,7 @@ void LookPanel::draw_bookmarks(PanelContext& context) {
   ImGui::SameLine();
   const bool replaces = bookmarks_.has(view_name_);
   if (button(replaces ? "Replace##keep" : "Keep view##keep",
-             {.tooltip = "Keeps where the camera stands now, for this land and others",
+             {.tooltip = "Keeps where the camera stands now, for this terrain and others",
               .name = "Keep view",
               .size = {third, 0}})) {
     keep_view(context.app.log());
@@ -257,13 +257,13 @@ void LookPanel::draw_extras(const PanelContext& context) {
   bool copies = look.copies > 0;
   if (switch_row({.label = "to the horizon",
                   .tooltip = "What leaves a torus on one side comes in on the other: show it so, as far as one sees.",
-                  .unavailable = torus ? "" : "This land has open edges: nothing lies beyond them."},
+                  .unavailable = torus ? "" : "This terrain has open edges: nothing lies beyond them."},
                  copies) == RowEvent::changed) {
     look.copies = copies ? to_the_horizon : 0;
   }
   switch_row({.label = "raw cells", .tooltip = "Straight lines from cell to cell: the data as it is"}, look.raw_cells);
   switch_row({.label = "wireframe", .tooltip = "The edges of the triangles that are drawn"}, look.wireframe);
-  switch_row({.label = "legend", .tooltip = "Scale of colours, wind and north over the land"}, view_state_.legend);
+  switch_row({.label = "legend", .tooltip = "Scale of colours, wind and north over the terrain"}, view_state_.legend);
 }
 
 }  // namespace

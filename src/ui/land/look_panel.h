@@ -18,7 +18,7 @@ struct LookChoice {
   std::string key;
   std::string label;
 };
-/// Those of run number `run` of a snapshot; where there is no such run, those that every land has.
+/// Those of run number `run` of a snapshot; where there is no such run, those that every terrain has.
 std::vector<LookChoice> look_choices(const session::Snapshot& now, std::size_t run);
 
 }  // namespace erg::ui

@@ -8,7 +8,7 @@
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "render/textures.h"
-#include "ui/land/land_view.h"
+#include "ui/land/terrain_panes.h"
 
 namespace erg::ui {
 

@@ -1,5 +1,5 @@
-// Still pictures of the land drawn beside the window: where the processor draws, a careful picture takes seconds, and
-// the window must not stand still for them.
+// Still pictures of the terrain drawn beside the window: where the processor draws, a careful picture takes seconds,
+// and the window must not stand still for them.
 #pragma once
 
 #include <condition_variable>

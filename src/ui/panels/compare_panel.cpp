@@ -78,7 +78,7 @@ void ComparePanel::draw_runs(PanelContext& context) {
   ImGui::SameLine();
   if (button("CREATE", {.tooltip = "Makes the terrains of all runs.",
                         .look = app.create_needed() ? ButtonLook::accent : ButtonLook::plain})) {
-    context.leave("CREATE", session::Leaves::land, [&app] { app.create(); });
+    context.leave("CREATE", session::Leaves::terrain, [&app] { app.create(); });
   }
 }
 

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double most_slabs = 1000;  // of one touch
 constexpr double least_strength = 0.01;
-// So that a stroke is seen at once, on a small land and on a large one: shares of the land's shorter side and of the
-// brush's radius. Such a heap is a hill, and its sides are less steep than sand stands.
+// So that a stroke is seen at once, on a small terrain and on a large one: shares of the terrain's shorter side and of
+// the brush's radius. Such a heap is a hill, and its sides are less steep than sand stands.
 constexpr double usual_radius = 1.0 / 24;
 constexpr double usual_height = 0.12;
 constexpr double spacing = 0.25;             // of the radius, from stamp to stamp of a stroke
@@ -61,7 +61,7 @@ class PaintPanel final : public Panel {
   BrushMaterial material_ = BrushMaterial::sand;
   std::string field_;  // the layer's key, for BrushMaterial::field
   bool takes_ = false;
-  std::optional<double> radius_;  ///< cells; none: as suits the land
+  std::optional<double> radius_;  ///< cells; none: as suits the terrain
   std::optional<double> amount_;  ///< m; none: as suits the radius
   double strength_ = 0.25;
   std::uint64_t stroke_ = 0;
@@ -170,14 +170,14 @@ void PaintPanel::draw_undo(AppModel& app) {
 }
 
 void PaintPanel::stroke(PanelContext& context) {
-  const LandPointer& land = context.land;
-  if (land.pressed) {
+  const TerrainPointer& pointer = context.pointer;
+  if (pointer.pressed) {
     ++stroke_;
     last_.reset();
   }
-  if (!land.cell) last_.reset();  // what comes in again elsewhere begins there
-  if (!(land.pressed || land.held) || !land.cell) return;
-  const std::array<double, 2> here{land.cell->x + 0.5, land.cell->y + 0.5};
+  if (!pointer.cell) last_.reset();  // what comes in again elsewhere begins there
+  if (!(pointer.pressed || pointer.held) || !pointer.cell) return;
+  const std::array<double, 2> here{pointer.cell->x + 0.5, pointer.cell->y + 0.5};
   held_still_ += static_cast<double>(ImGui::GetIO().DeltaTime);
   if (!last_ || held_still_ >= seconds_of_a_stamp) {
     put_stamp(context.app, here[0], here[1]);
@@ -213,26 +213,26 @@ void PaintPanel::put_stamp(AppModel& app, double x, double y) const {
 }
 
 void PaintPanel::mark_rim(PanelContext& context) const {
-  if (!context.land.cell) return;
+  if (!context.pointer.cell) return;
   const double reach = radius(*context.app.active_run()->terrain);
-  LandMark rim;
+  TerrainMark rim;
   rim.closed = true;
   constexpr int corners = 48;
   for (int corner = 0; corner < corners; ++corner) {
     const double angle = radians(360.0 * corner / corners);
     rim.points.push_back(
-        {context.land.cell->x + reach * std::cos(angle), context.land.cell->y + reach * std::sin(angle)});
+        {context.pointer.cell->x + reach * std::cos(angle), context.pointer.cell->y + reach * std::sin(angle)});
   }
   context.marks.push_back(rim);
 }
 
 void PaintPanel::draw(PanelContext& context) {
   if (!context.app.now().has_runs()) {
-    explain("There is no land to paint on yet.");
+    explain("There is no terrain to paint on yet.");
     return;
   }
   if (button(on_ ? "PUT THE BRUSH DOWN" : "TAKE THE BRUSH",
-             {.tooltip = on_ ? "The mouse turns the view again." : "Then drag over the land; it may run meanwhile.",
+             {.tooltip = on_ ? "The mouse turns the view again." : "Then drag over the terrain; it may run meanwhile.",
               .look = on_ ? ButtonLook::accent : ButtonLook::plain,
               .size = {-1, 0}})) {
     on_ = !on_;
@@ -242,7 +242,7 @@ void PaintPanel::draw(PanelContext& context) {
   draw_brush(run);
   draw_undo(context.app);
   if (!on_) return;
-  context.tool = LandTool::paint;
+  context.tool = TerrainTool::paint;
   stroke(context);
   mark_rim(context);
 }

@@ -18,22 +18,22 @@
 
 namespace erg::ui {
 
-/// What the left mouse button does on the land.
-enum class LandTool {
+/// What the left mouse button does on the terrain.
+enum class TerrainTool {
   camera,   ///< turns the view
   section,  ///< picks the two ends of a cross-section
   paint     ///< strokes a brush
 };
 
-/// The pointer on the land in this frame.
-struct LandPointer {
-  std::optional<session::CellPlace> cell;  ///< under the pointer; none beside the land or over a panel
+/// The pointer on the terrain in this frame.
+struct TerrainPointer {
+  std::optional<session::CellPlace> cell;  ///< under the pointer; none beside the terrain or over a panel
   bool pressed = false;  ///< the left button went down on `cell` in this frame, with a tool other than camera
   bool held = false;     ///< it is down since
 };
 
-/// A line of markings that a panel wants to see over the land: the cross-section, the brush's rim.
-struct LandMark {
+/// A line of markings that a panel wants to see over the terrain: the cross-section, the brush's rim.
+struct TerrainMark {
   /// In cells, cell centres at whole numbers; joined by lines on the ground.
   std::vector<std::array<double, 2>> points;
   bool closed = false;  ///< the last is joined to the first
@@ -41,7 +41,7 @@ struct LandMark {
 
 /// A key and what it does, for the help.
 struct KeyHelp {
-  std::string menu;  ///< where it stands in the menus: "Run"; "Land" for mouse and flying keys
+  std::string menu;  ///< where it stands in the menus: "Run"; "Terrain" for mouse and flying keys
   std::string keys;  ///< "Ctrl+O", "Space", "right drag"
   std::string what;
 };
@@ -49,10 +49,10 @@ struct KeyHelp {
 /// What a panel may use in a frame.
 struct PanelContext {
   session::AppModel& app;
-  LandPointer land;
+  TerrainPointer pointer;
   /// Set by panels while they are drawn; the window acts on it after the frame.
-  LandTool tool = LandTool::camera;
-  std::vector<LandMark> marks;
+  TerrainTool tool = TerrainTool::camera;
+  std::vector<TerrainMark> marks;
   /// Opens (or brings forward) the panel of this title; a dialog that is open stays open until closed.
   std::function<void(const std::string& title)> open;
   std::function<void(const std::string& title)> close;
@@ -63,7 +63,7 @@ struct PanelContext {
   std::function<ImTextureID(const std::filesystem::path& path)> picture;
   /// Every key and mouse movement of the window, from the one table that the menus are made of.
   std::vector<KeyHelp> keys;
-  /// A dialog, a menu or a question has the keyboard: keys do nothing to the land.
+  /// A dialog, a menu or a question has the keyboard: keys do nothing to the terrain.
   bool keys_taken = false;
 };
 
@@ -71,7 +71,7 @@ struct PanelContext {
 enum class Dock {
   left,   ///< a section of the left column
   right,  ///< a section of the right column
-  dialog  ///< a window of its own over the land, opened from the menus or by PanelContext::open
+  dialog  ///< a window of its own over the terrain, opened from the menus or by PanelContext::open
 };
 
 /// A part of the interface.

@@ -87,9 +87,9 @@ bool draw_log_item(const session::Log& log) {
 std::string why_no_step(const Snapshot& now) {
   switch (now.activity) {
     case Activity::empty:
-      return "There is no land yet: choose a preset, or CREATE one.";
+      return "There is no terrain yet: choose a preset, or CREATE one.";
     case Activity::building:
-      return "The land is being made.";
+      return "The terrain is being made.";
     case Activity::finished:
       return "It is finished: " + now.message + ". Reset it, or change something.";
     case Activity::failed:
@@ -122,8 +122,8 @@ void RunBar::draw_buttons(AppModel& app) {
   const Snapshot& now = app.now();
   const bool running = now.activity == Activity::running;
   const float wide = Gui::current().px(92);
-  if (button("\u25c0\u25c0 Reset##reset", {.tooltip = "Back to where this land began (R). Can be undone.",
-                                           .unavailable = now.has_runs() ? "" : "There is no land yet.",
+  if (button("\u25c0\u25c0 Reset##reset", {.tooltip = "Back to where this terrain began (R). Can be undone.",
+                                           .unavailable = now.has_runs() ? "" : "There is no terrain yet.",
                                            .name = "reset",
                                            .size = {wide, 0}})) {
     app.runner().reset();
@@ -187,7 +187,7 @@ void RunBar::draw_speed(AppModel& app) const {
 void RunBar::draw_progress(const Snapshot& now) const {
   const Theme& theme = Gui::current().theme();
   if (!now.has_runs()) {
-    ImGui::TextColored(theme.faint, "no land yet");
+    ImGui::TextColored(theme.faint, "no terrain yet");
     mark("clock");
     return;
   }

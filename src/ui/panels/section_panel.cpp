@@ -48,9 +48,9 @@ class SectionPanel final : public Panel {
 
 void SectionPanel::take_clicks(PanelContext& context) {
   if (!picking_) return;
-  context.tool = LandTool::section;
-  if (!context.land.pressed || !context.land.cell) return;
-  const CellPlace cell = *context.land.cell;
+  context.tool = TerrainTool::section;
+  if (!context.pointer.pressed || !context.pointer.cell) return;
+  const CellPlace cell = *context.pointer.cell;
   if (!from_ || to_) {
     from_ = cell;
     to_.reset();
@@ -62,7 +62,7 @@ void SectionPanel::take_clicks(PanelContext& context) {
 }
 
 void SectionPanel::draw_buttons(PanelContext& context) {
-  if (button("PICK TWO POINTS", {.tooltip = "Then click two points of the land.",
+  if (button("PICK TWO POINTS", {.tooltip = "Then click two points of the terrain.",
                                  .look = picking_ ? ButtonLook::accent : ButtonLook::plain})) {
     picking_ = !picking_;
     if (picking_) {
@@ -83,7 +83,7 @@ void SectionPanel::draw_buttons(PanelContext& context) {
 }
 
 void SectionPanel::draw_hint() const {
-  if (picking_ && !from_) explain("Click the first point on the land.");
+  if (picking_ && !from_) explain("Click the first point on the terrain.");
   if (picking_ && from_) explain("From cell " + cell_text(*from_) + ". Click the second point.");
   if (!picking_ && !to_) explain("A cut through the ground shows here once two points are picked.");
 }
@@ -110,15 +110,15 @@ void SectionPanel::draw_cut(const RunSnapshot& run) {
 
 void SectionPanel::mark_line(PanelContext& context) const {
   if (!from_) return;
-  LandMark line;
+  TerrainMark line;
   const auto add = [&](CellPlace cell) {
     line.points.push_back({static_cast<double>(cell.x), static_cast<double>(cell.y)});
   };
   add(*from_);
   if (to_) {
     add(*to_);
-  } else if (context.land.cell) {
-    add(*context.land.cell);
+  } else if (context.pointer.cell) {
+    add(*context.pointer.cell);
   }
   if (line.points.size() > 1) context.marks.push_back(line);
 }
@@ -137,7 +137,7 @@ void SectionPanel::save(AppModel& app) {
 void SectionPanel::draw(PanelContext& context) {
   const RunSnapshot* const run = context.app.active_run();
   if (run == nullptr) {
-    explain("There is no land to cut yet.");
+    explain("There is no terrain to cut yet.");
     return;
   }
   take_clicks(context);

@@ -79,7 +79,7 @@ void SetupPanel::draw_buttons(PanelContext& context, const Config* running) {
                         .unavailable = mistakes.empty() ? "" : "Something stands against it; see below.",
                         .look = needed ? ButtonLook::accent : ButtonLook::plain,
                         .size = {half, 0}})) {
-    context.leave("CREATE", session::Leaves::land, [&app] { app.create(); });
+    context.leave("CREATE", session::Leaves::terrain, [&app] { app.create(); });
   }
   ImGui::SameLine();
   if (button("RESET DEFAULT",

@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "io/formats/png.h"
-#include "ui/land/land_view.h"
+#include "ui/land/terrain_panes.h"
 #include "ui/panels/panels.h"
 #include "ui/window/gui_renderer.h"
 #include "ui/window/shell.h"
@@ -81,7 +81,7 @@ class Desktop final : public Host {
 
   void run();
 
-  const LandGround* ground(std::size_t run) override { return land_.ground(run); }
+  const TerrainGround* ground(std::size_t run) override { return terrain_.ground(run); }
   ImTextureID picture(const std::filesystem::path& path) override;
   void save_picture(const PictureOrder& order) override;
   float frames_per_second() const override { return frame_rate_; }
@@ -100,7 +100,7 @@ class Desktop final : public Host {
   Gui gui_;  // before the window, whose input goes into it
   Window window_;
   GuiRenderer renderer_;
-  LandView land_;
+  TerrainPanes terrain_;
   Shell shell_;
   MapFile map_;
   FrameCounter frames_;
@@ -122,7 +122,7 @@ Desktop::Desktop(const DesktopRequest& request)
     : asked_to_end_(request.asked_to_end),
       app_(request.folders),
       window_(options(request, app_.settings())),
-      land_(window_.is_software(), stills_.get()),
+      terrain_(window_.is_software(), stills_.get()),
       shell_(app_, *this, gui_),
       map_(request.widget_map) {
   if (!window_.is_software()) stills_.reset();  // a graphics card is quick enough by itself
@@ -151,11 +151,11 @@ ImTextureID Desktop::picture(const std::filesystem::path& path) {
 
 void Desktop::save_picture(const PictureOrder& order) {
   const session::RunSnapshot* const run = app_.active_run();
-  if (run == nullptr) throw InputError(order.path.string(), "there is no land to draw", "create one first");
+  if (run == nullptr) throw InputError(order.path.string(), "there is no terrain to draw", "create one first");
   Look look = shell_.view_state().look;
   look.transparent = order.transparent;
   look.legend = shell_.view_state().legend;
-  const render::Picture picture = land_.picture(*run, look, shell_.view_state().camera.camera(), order.size);
+  const render::Picture picture = terrain_.picture(*run, look, shell_.view_state().camera.camera(), order.size);
   io::write_run_png(order.path, picture.image, app_.provenance());
 }
 
@@ -164,7 +164,7 @@ bool Desktop::busy() {
   const bool moving = activity == Activity::running || activity == Activity::building;
   const bool view_to_come = app_.now().has_runs() && !shell_.view_state().wanted_view.empty();
   // A brush that is held goes on pouring; a slider that is held follows.
-  return moving || view_to_come || ImGui::IsAnyMouseDown() || land_.unfinished() ||
+  return moving || view_to_come || ImGui::IsAnyMouseDown() || terrain_.unfinished() ||
          app_.runner().snapshot()->number != shown_snapshot_ || app_.log().version() != shown_log_;
 }
 
@@ -186,11 +186,11 @@ void Desktop::draw(int width, int height, float seconds) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   gl11().ClearColor(ground.x, ground.y, ground.z, 1);
   gl11().Clear(GL_COLOR_BUFFER_BIT);
-  LandWindow& land = shell_.land();
+  TerrainWindow& terrain = shell_.terrain();
   Look look = shell_.view_state().look;
   look.legend = false;
-  land.set_notes(
-      land_.draw(app_.now(), look, shell_.view_state().camera.camera(), land.parts(), height, land.restless()));
+  terrain.set_notes(terrain_.draw(app_.now(), look, shell_.view_state().camera.camera(), terrain.parts(), height,
+                                  terrain.restless()));
   renderer_.draw(gui_, 0);
   frames_.count();
   frame_rate_ = frames_.rate();

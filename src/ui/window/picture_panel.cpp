@@ -40,9 +40,9 @@ class PicturePanel final : public Panel {
 void PicturePanel::draw(PanelContext& context) {
   draw_sizes();
   switch_row({.label = "smooth edges", .tooltip = "Draws four pixels for each one and averages them"}, smooth_);
-  switch_row({.label = "transparent", .tooltip = "Nothing behind the land, and no legend"}, transparent_);
+  switch_row({.label = "transparent", .tooltip = "Nothing behind the terrain, and no legend"}, transparent_);
   ImGui::Dummy({0, Gui::current().px(6)});
-  const std::string reason = context.app.now().has_runs() ? "" : "There is no land yet.";
+  const std::string reason = context.app.now().has_runs() ? "" : "There is no terrain yet.";
   if (button("Save picture\u2026", {.tooltip = "Choose the file",
                                     .unavailable = reason,
                                     .name = "save picture",

@@ -38,10 +38,10 @@ Shell::Shell(session::AppModel& app, Host& host, Gui& gui)
       host_(host),
       gui_(gui),
       bookmarks_(path_of_bookmarks(app.folders())),
-      land_(view_state_, [&host](std::size_t run) { return host.ground(run); }),
+      terrain_(view_state_, [&host](std::size_t run) { return host.ground(run); }),
       context_{.app = app,
-               .land = {},
-               .tool = LandTool::camera,
+               .pointer = {},
+               .tool = TerrainTool::camera,
                .marks = {},
                .open = [this](const std::string& title) { open(title); },
                .close = [this](const std::string& title) { close(title); },
@@ -111,13 +111,13 @@ bool Shell::is_open(const std::string& title) const {
 }
 
 std::string Shell::why_nothing_to_save() const {
-  return app_.now().has_runs() ? std::string() : "There is no land yet.";
+  return app_.now().has_runs() ? std::string() : "There is no terrain yet.";
 }
 
 void Shell::draw() {
   if (app_.take_failed_creation()) open(panel_title::log);
   close_menu_on_escape();
-  // While a dialog, a menu or a question is open, keys are for it: none of them reaches the land behind.
+  // While a dialog, a menu or a question is open, keys are for it: none of them reaches the terrain behind.
   context_.keys_taken = dialog_has_keys_ || popup_was_open_ || is_open(unsaved_title);
   if (!context_.keys_taken) press_keys(actions_);
   draw_menu_bar();
@@ -126,11 +126,11 @@ void Shell::draw() {
   const float line = ImGui::GetFrameHeightWithSpacing();
   const float foot = line + ImGui::GetTextLineHeightWithSpacing() + gui_.px(14);
   const float high = whole.y - top - foot;
-  // Columns never leave less than a third of the window to the land.
+  // Columns never leave less than a third of the window to the terrain.
   const float most = whole.x / 3;
   const float left = columns_shown_ ? std::min(gui_.px(layout("left width", left_width)), most) : 0;
   const float right = columns_shown_ ? std::min(gui_.px(layout("right width", right_width)), most) : 0;
-  land_.take_input(
+  terrain_.take_input(
       context_, {static_cast<int>(left), static_cast<int>(top), std::max(static_cast<int>(whole.x - left - right), 1),
                  std::max(static_cast<int>(high), 1)});
   if (columns_shown_) {
@@ -141,7 +141,7 @@ void Shell::draw() {
   }
   draw_foot(top + high, foot);
   draw_dialogs();
-  land_.draw_over(context_);
+  terrain_.draw_over(context_);
   if (const std::string missing = gui_.take_missing_letters(); !missing.empty()) {
     app_.log().warning("no font on this machine has the letters " + missing +
                        ": install one that does, such as fonts-noto-core or fonts-noto-cjk");
@@ -237,7 +237,7 @@ void Shell::draw_foot(float top, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin("##foot", nullptr, fixed | ImGuiWindowFlags_NoScrollbar);
   run_bar_.draw(app_);
-  if (draw_status(app_, host_.frames_per_second(), land_.notes())) open(panel_title::log);
+  if (draw_status(app_, host_.frames_per_second(), terrain_.notes())) open(panel_title::log);
   ImGui::End();
   ImGui::PopStyleVar();
 }

@@ -1,5 +1,5 @@
-// The whole interface: menus, columns of panels, the land between them, run bar, status line, dialogs. Draws with ImGui
-// alone; what needs OpenGL or the screen it asks of a Host.
+// The whole interface: menus, columns of panels, the terrain between them, run bar, status line, dialogs. Draws with
+// ImGui alone; what needs OpenGL or the screen it asks of a Host.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render/renderer.h"
-#include "ui/land/land_window.h"
+#include "ui/land/terrain_window.h"
 #include "ui/land/view_state.h"
 #include "ui/panels/panel.h"
 #include "ui/panels/run_bar.h"
@@ -30,7 +30,7 @@ class Host {
  public:
   virtual ~Host() = default;
   /// The ground of a run as it is on the screen; null before it was drawn.
-  virtual const LandGround* ground(std::size_t run) = 0;
+  virtual const TerrainGround* ground(std::size_t run) = 0;
   /// A picture for ImGui::Image, loaded once; null when it cannot be read.
   virtual ImTextureID picture(const std::filesystem::path& path) = 0;
   /// Draws the active run and writes it. Throws InputError.
@@ -60,7 +60,7 @@ class Shell {
 
   ViewState& view_state() { return view_state_; }
   const ViewState& view_state() const { return view_state_; }
-  LandWindow& land() { return land_; }
+  TerrainWindow& terrain() { return terrain_; }
   /// Opens, closes a dialog, or folds out a panel.
   void open(const std::string& title);
   void close(const std::string& title);
@@ -91,7 +91,7 @@ class Shell {
   Gui& gui_;
   ViewState view_state_;
   Bookmarks bookmarks_;
-  LandWindow land_;
+  TerrainWindow terrain_;
   RunBar run_bar_;
   PanelContext context_;
   std::vector<std::unique_ptr<Panel>> panels_;

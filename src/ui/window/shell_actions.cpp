@@ -123,7 +123,7 @@ void Shell::make_run_actions() {
                       .label = "Create",
                       .key = 'N',
                       .ctrl = true,
-                      .act = [this] { leave("CREATE", session::Leaves::land, [this] { app_.create(); }); },
+                      .act = [this] { leave("CREATE", session::Leaves::terrain, [this] { app_.create(); }); },
                       .line_above = true});
 }
 

@@ -1,4 +1,4 @@
-#include "ui/land/land_window.h"
+#include "ui/land/terrain_window.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,19 +66,19 @@ std::string caption(const sim::Config& config, const std::vector<SetupDifference
 
 }  // namespace
 
-std::vector<LandPart> LandWindow::lands(const Snapshot& now) const {
-  std::vector<LandPart> all;
+std::vector<TerrainPane> TerrainWindow::panes(const Snapshot& now) const {
+  std::vector<TerrainPane> all;
   for (std::size_t index = 0; index < std::min(parts_.size(), now.runs.size()); ++index) {
     all.push_back({parts_[index], &now.runs[index], ground_(index)});
   }
   return all;
 }
 
-void LandWindow::take_wanted_view(const Snapshot& now, const std::vector<LandPart>& lands) {
-  if (lands.empty()) return;
-  const Terrain& terrain = *lands.front().run->terrain;
+void TerrainWindow::take_wanted_view(const Snapshot& now, const std::vector<TerrainPane>& panes) {
+  if (panes.empty()) return;
+  const Terrain& terrain = *panes.front().run->terrain;
   const std::array<double, 2> extent{terrain.nx() * terrain.cell_size(), terrain.ny() * terrain.cell_size()};
-  // A land of another size is shown whole, from above if the last one was, else as a block.
+  // A terrain of another size is shown whole, from above if the last one was, else as a block.
   if (view_state_.wanted_view.empty() && extent != extent_) {
     view_state_.wanted_view = view_state_.camera.camera().orthographic ? "top" : "block";
   }
@@ -86,12 +86,12 @@ void LandWindow::take_wanted_view(const Snapshot& now, const std::vector<LandPar
   extent_ = extent;
   creations_ = now.creations;
   if (view_state_.wanted_view.empty()) return;
-  const render::LandBox box = render::Renderer::land_of(view_of_run(*lands.front().run), view_state_.look);
-  view_state_.camera.choose(view_state_.wanted_view, box, lands.front().part.aspect());
+  const render::TerrainBox box = render::Renderer::box_of(view_of_run(*panes.front().run), view_state_.look);
+  view_state_.camera.choose(view_state_.wanted_view, box, panes.front().part.aspect());
   view_state_.wanted_view.clear();
 }
 
-void LandWindow::take_input(PanelContext& context, WindowPart area) {
+void TerrainWindow::take_input(PanelContext& context, WindowPart area) {
   const Snapshot& now = context.app.now();
   area_ = area;
   const std::size_t parts_before = parts_.size();
@@ -100,20 +100,20 @@ void LandWindow::take_input(PanelContext& context, WindowPart area) {
   const bool other_room = parts_before > 0 && parts_.size() != parts_before;
   if (other_room && view_state_.wanted_view.empty()) view_state_.wanted_view = "frame";
   tool_ = context.tool;
-  context.tool = LandTool::camera;  // a panel that wants another says so in every frame
-  const std::vector<LandPart> all = lands(now);
+  context.tool = TerrainTool::camera;  // a panel that wants another says so in every frame
+  const std::vector<TerrainPane> all = panes(now);
   take_wanted_view(now, all);
 
   ImGui::SetNextWindowPos(corner_of(area));
   ImGui::SetNextWindowSize(size_of(area));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
-  ImGui::Begin("##land", nullptr, bare);
+  ImGui::Begin("##terrain", nullptr, bare);
   ImGui::SetCursorScreenPos(corner_of(area));
   ImGui::InvisibleButton(
-      "land", size_of(area),
+      "terrain", size_of(area),
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-  mark("land");
+  mark("terrain");
   const bool hovered = ImGui::IsItemHovered();
   active_ = ImGui::IsItemActive();
   ImGui::SetItemAllowOverlap();
@@ -121,7 +121,7 @@ void LandWindow::take_input(PanelContext& context, WindowPart area) {
   ImGui::PopStyleVar(2);
 
   restless_ = false;
-  context.land = {};
+  context.pointer = {};
   if (all.empty()) return;
   if (!active_) {
     for (std::size_t index = 0; index < all.size(); ++index) {
@@ -129,40 +129,40 @@ void LandWindow::take_input(PanelContext& context, WindowPart area) {
     }
   }
   under_pointer_ = std::min(under_pointer_, all.size() - 1);
-  const LandPart& land = all[under_pointer_];
+  const TerrainPane& pane = all[under_pointer_];
   if (hovered && ImGui::IsMouseClicked(0)) context.app.set_active(under_pointer_);
-  if (land.ground == nullptr) return;
-  point(context, land, hovered);
-  move_camera(context, land, hovered);
+  if (pane.ground == nullptr) return;
+  point(context, pane, hovered);
+  move_camera(context, pane, hovered);
 }
 
-void LandWindow::point(PanelContext& context, const LandPart& land, bool hovered) {
+void TerrainWindow::point(PanelContext& context, const TerrainPane& pane, bool hovered) {
   if (!hovered && !active_) return;
-  const render::PicturePoint place = to_picture(ImGui::GetIO().MousePos, land.part);
-  const auto seen = land.ground->under(view_state_.camera.camera(), place, land.part.aspect());
-  const Terrain& terrain = *land.run->terrain;
+  const render::PicturePoint place = to_picture(ImGui::GetIO().MousePos, pane.part);
+  const auto seen = pane.ground->under(view_state_.camera.camera(), place, pane.part.aspect());
+  const Terrain& terrain = *pane.run->terrain;
   if (seen) {
     const auto cell = [&](double metres, int count) {
       return std::clamp(static_cast<int>(std::floor(metres / terrain.cell_size())), 0, count - 1);
     };
-    context.land.cell = session::CellPlace{cell(seen->x(), terrain.nx()), cell(seen->y(), terrain.ny())};
+    context.pointer.cell = session::CellPlace{cell(seen->x(), terrain.nx()), cell(seen->y(), terrain.ny())};
   }
-  if (tool_ == LandTool::camera || ImGui::GetIO().KeyCtrl) return;
-  context.land.pressed = seen.has_value() && hovered && ImGui::IsMouseClicked(0);
-  context.land.held = active_ && ImGui::IsMouseDown(0);
+  if (tool_ == TerrainTool::camera || ImGui::GetIO().KeyCtrl) return;
+  context.pointer.pressed = seen.has_value() && hovered && ImGui::IsMouseClicked(0);
+  context.pointer.held = active_ && ImGui::IsMouseDown(0);
 }
 
-void LandWindow::move_camera(const PanelContext& context, const LandPart& land, bool hovered) {
+void TerrainWindow::move_camera(const PanelContext& context, const TerrainPane& pane, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   CameraInput input;
-  input.cursor = to_picture(io.MousePos, land.part);
+  input.cursor = to_picture(io.MousePos, pane.part);
   input.seconds = std::min(static_cast<double>(io.DeltaTime), 0.1);
-  const bool left = active_ && ImGui::IsMouseDown(0) && (tool_ == LandTool::camera || io.KeyCtrl);
+  const bool left = active_ && ImGui::IsMouseDown(0) && (tool_ == TerrainTool::camera || io.KeyCtrl);
   input.look = left && io.KeyCtrl;
   input.orbit = left && !io.KeyCtrl && !io.KeyShift;
   input.pan = active_ && (ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2) || (left && io.KeyShift));
-  input.right = io.MouseDelta.x / land.part.height;
-  input.up = -io.MouseDelta.y / land.part.height;
+  input.right = io.MouseDelta.x / pane.part.height;
+  input.up = -io.MouseDelta.y / pane.part.height;
   if (hovered) input.wheel = io.MouseWheel;
   if (!io.WantTextInput && !io.KeyCtrl && !context.keys_taken) {
     input.forwards = pressed('W', 'S');
@@ -170,33 +170,33 @@ void LandWindow::move_camera(const PanelContext& context, const LandPart& land, 
     input.rise = pressed('E', 'Q');
   }
   restless_ =
-      view_state_.camera.move(input, *land.ground, land.part.aspect()) || input.orbit || input.pan || input.look;
+      view_state_.camera.move(input, *pane.ground, pane.part.aspect()) || input.orbit || input.pan || input.look;
 }
 
-void LandWindow::draw_over(PanelContext& context) {
-  ImGui::Begin("##land", nullptr, bare);
+void TerrainWindow::draw_over(PanelContext& context) {
+  ImGui::Begin("##terrain", nullptr, bare);
   {
     const WidgetScope scope("LAND");
-    const std::vector<LandPart> all = lands(context.app.now());
+    const std::vector<TerrainPane> all = panes(context.app.now());
     if (all.empty()) {
       draw_empty(context);
     } else {
-      draw_lands(context, all);
+      draw_terrains(context, all);
     }
   }
   context.marks.clear();
   ImGui::End();
 }
 
-void LandWindow::draw_lands(const PanelContext& context, const std::vector<LandPart>& all) const {
+void TerrainWindow::draw_terrains(const PanelContext& context, const std::vector<TerrainPane>& all) const {
   const picture::Camera& camera = view_state_.camera.camera();
-  for (const LandPart& land : all) {
-    const ImVec2 corner = corner_of(land.part);
-    const ImVec2 size = size_of(land.part);
+  for (const TerrainPane& pane : all) {
+    const ImVec2 corner = corner_of(pane.part);
+    const ImVec2 size = size_of(pane.part);
     ImGui::PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-    draw_marks(land, camera, view_state_.look.exaggeration, context.marks);
-    if (view_state_.legend) draw_legend(land, view_state_.look);
-    if (view_state_.legend) draw_wind_rose(land, camera);
+    draw_marks(pane, camera, view_state_.look.exaggeration, context.marks);
+    if (view_state_.legend) draw_legend(pane, view_state_.look);
+    if (view_state_.legend) draw_wind_rose(pane, camera);
     ImGui::PopClipRect();
   }
   if (all.size() > 1) draw_captions(context, all);
@@ -204,18 +204,18 @@ void LandWindow::draw_lands(const PanelContext& context, const std::vector<LandP
   draw_troubles(context);
 }
 
-void LandWindow::draw_reading(const PanelContext& context, const LandPart& land) const {
-  if (!context.land.cell) return;
-  const Terrain& terrain = *land.run->terrain;
-  if (context.land.cell->x >= terrain.nx() || context.land.cell->y >= terrain.ny()) return;
+void TerrainWindow::draw_reading(const PanelContext& context, const TerrainPane& pane) const {
+  if (!context.pointer.cell) return;
+  const Terrain& terrain = *pane.run->terrain;
+  if (context.pointer.cell->x >= terrain.nx() || context.pointer.cell->y >= terrain.ny()) return;
   const Gui& gui = Gui::current();
-  const ImVec2 place{static_cast<float>(land.part.left) + gui.px(12),
-                     static_cast<float>(land.part.top + land.part.height) - gui.px(12)};
-  draw_plate(place, session::read_cell(terrain, *context.land.cell).text(), gui.theme().text);
+  const ImVec2 place{static_cast<float>(pane.part.left) + gui.px(12),
+                     static_cast<float>(pane.part.top + pane.part.height) - gui.px(12)};
+  draw_plate(place, session::read_cell(terrain, *context.pointer.cell).text(), gui.theme().text);
   mark("reading", {place.x, place.y - gui.px(20)}, {place.x + gui.px(200), place.y});
 }
 
-void LandWindow::draw_captions(const PanelContext& context, const std::vector<LandPart>& all) const {
+void TerrainWindow::draw_captions(const PanelContext& context, const std::vector<TerrainPane>& all) const {
   const Theme& theme = Gui::current().theme();
   const std::vector<SetupDifference> differences = context.app.comparison().differences();
   for (std::size_t index = 0; index < all.size(); ++index) {
@@ -233,7 +233,7 @@ void LandWindow::draw_captions(const PanelContext& context, const std::vector<La
   }
 }
 
-void LandWindow::draw_troubles(const PanelContext& context) const {
+void TerrainWindow::draw_troubles(const PanelContext& context) const {
   const Gui& gui = Gui::current();
   const Snapshot& now = context.app.now();
   const ImVec2 corner{static_cast<float>(area_.left) + gui.px(12),
@@ -244,13 +244,13 @@ void LandWindow::draw_troubles(const PanelContext& context) const {
     low -= gui.px(28);
   };
   if (now.activity == Activity::failed) {
-    line("The land stands as it was before that step. Save it (Export, checkpoint) or Reset.", gui.theme().text);
+    line("The terrain stands as it was before that step. Save it (Export, checkpoint) or Reset.", gui.theme().text);
     line("A step failed: " + now.message, gui.theme().lost);
   }
   if (now.activity == Activity::building) line("Making the terrain \u2026", gui.theme().accent);
 }
 
-void LandWindow::draw_empty(PanelContext& context) const {
+void TerrainWindow::draw_empty(PanelContext& context) const {
   const Gui& gui = Gui::current();
   const bool building = context.app.now().activity == Activity::building;
   ImGui::SetCursorPosY(0.4f * static_cast<float>(area_.height));
@@ -258,17 +258,18 @@ void LandWindow::draw_empty(PanelContext& context) const {
     centred("Making the terrain \u2026", gui.theme().accent);
     return;
   }
-  centred("No land yet.", gui.theme().text);
+  centred("No terrain yet.", gui.theme().text);
   ImGui::Dummy({0, gui.px(8)});
   const float wide = gui.px(180);
   ImGui::SetCursorPosX(0.5f * (ImGui::GetWindowWidth() - 2 * wide - gui.px(8)));
-  if (button("Choose a preset", {.tooltip = "The gallery of lands that are ready to grow (G)",
+  if (button("Choose a preset", {.tooltip = "The gallery of terrains that are ready to grow (G)",
                                  .look = ButtonLook::accent,
                                  .size = {wide, 0}})) {
     context.open(panel_title::gallery);
   }
   ImGui::SameLine();
-  if (button("Create from the setup", {.tooltip = "Make the land that the SETUP panel describes", .size = {wide, 0}})) {
+  if (button("Create from the setup",
+             {.tooltip = "Make the terrain that the SETUP panel describes", .size = {wide, 0}})) {
     context.app.create();
   }
 }
