@@ -1,10 +1,10 @@
 #version 330 core
-// What of sun, sky and wind each point of the land sees, from marching over the heights.
+// What of sun, sky and wind each point of the terrain sees, from marching over the heights.
 uniform sampler2D surface;
-uniform vec2 texel;         // side of a texel as a share of the land, east and north
+uniform vec2 texel;         // side of a texel as a share of the terrain, east and north
 uniform float step_length;  // m: side of a texel
 uniform float exaggeration;
-uniform float highest;      // m: of the land, exaggerated
+uniform float highest;      // m: of the terrain, exaggerated
 uniform float sun_rise;     // tangent of the lowest altitude that matters for the sun
 uniform vec2 to_sun;        // unit vector on the ground
 uniform vec2 to_wind;       // unit vector to where the wind blows from; zero: no wind

@@ -1,4 +1,4 @@
-// Repeatable noise over the land.
+// Repeatable noise over the terrain.
 float hash(vec2 cell) {
   uvec2 bits = uvec2(ivec2(cell)) * uvec2(1597334673u, 3812015801u);
   uint mixed = (bits.x ^ bits.y) * 1597334673u;

@@ -1,16 +1,16 @@
 #version 330 core
-// Behind the land: the sky and the far plain, or an even backdrop.
+// Behind the terrain: the sky and the far plain, or an even backdrop.
 #include "air.glsl"
 uniform vec2 picture;        // pixels
 uniform vec3 right, up, ahead;  // of the view; right and up as long as half the picture at distance 1
-uniform vec3 plain;          // colour of the land at large, linear
+uniform vec3 plain;          // colour of the terrain at large, linear
 uniform float plain_height;  // m
 out vec4 colour;
 
 void main() {
   vec2 place = gl_FragCoord.xy / picture * 2.0 - 1.0;
 #ifdef BACKDROP
-  // No sky: the land stands free before a calm ground.
+  // No sky: the terrain stands free before a calm ground.
   float centre = length(place * vec2(0.7, 0.9) - vec2(0.0, 0.1));
   colour = vec4(mix(vec3(0.925, 0.915, 0.90), vec3(0.70, 0.69, 0.68), smoothstep(0.1, 1.3, centre)), 1.0);
 #else

@@ -22,7 +22,7 @@ vec2 blend_reads(vec2 base, vec2 weight_x, vec2 place_x, vec2 weight_y, vec2 pla
                        weight_x.y * textureLod(surface, high, 0.0).rg);
 }
 
-// Height and sand at a place of the land, m.
+// Height and sand at a place of the terrain, m.
 vec2 surface_at(vec2 metres) {
   vec2 place = on_maps(metres);
   if (raw_cells) return textureLod(surface, place, 0.0).rg;

@@ -1,11 +1,11 @@
 #version 330 core
-// The land's colour: sand or snow on rock in sun and sky light (MATERIAL), or a value in the colours of a palette.
+// The terrain's colour: sand or snow on rock in sun and sky light (MATERIAL), or a value in the colours of a palette.
 // What a picture does not need is left out of the program: GRAINS, PLANTS, TUFTS, CONTOURS, RAW_CELLS and WIRES are
 // its words.
 #include "sheet.glsl"
 #include "air.glsl"
 in vec3 point;  // m
-in vec2 home;   // m: the same place of the land itself, not of a copy
+in vec2 home;   // m: the same place of the terrain itself, not of a copy
 in vec4 haze;
 flat in vec3 sunshine;  // colour of the sun's light
 out vec4 colour;
@@ -149,7 +149,7 @@ Ground ground_at(vec4 form, vec4 seen) {
 // Litter under the tufts; where these are too small to be seen or not drawn, their colour instead.
 vec3 planted(vec3 albedo, float cover) {
 #ifdef TUFTS
-  bool beyond = any(lessThan(point.xy, -land)) || any(greaterThan(point.xy, 2.0 * land));
+  bool beyond = any(lessThan(point.xy, -terrain)) || any(greaterThan(point.xy, 2.0 * terrain));
   float far = beyond ? 1.0 : smoothstep(0.15, 0.70, footprint() / cell_side);
 #else
   const float far = 1.0;

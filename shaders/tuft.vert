@@ -9,7 +9,7 @@ uniform sampler2D light;    // skyline toward the sun, open sky
 uniform vec2 corner;        // m: south-west corner of the sheet
 uniform int tufts_a_cell;
 uniform int blades;         // of a tuft
-uniform vec2 shift;         // m: of this copy of the land
+uniform vec2 shift;         // m: of this copy of the terrain
 uniform mat4 view_projection;
 out float tip;   // 0 at the foot, 1 at the tip
 flat out float tone;

@@ -1,8 +1,8 @@
 #version 330 core
-// A cut face of a block of land: a strip from its floor to the surface.
+// A cut face of a block of terrain: a strip from its floor to the surface.
 #include "surface.glsl"
 uniform int steps;       // along the face
-uniform vec2 from, to;   // m: its ends, anticlockwise around the land
+uniform vec2 from, to;   // m: its ends, anticlockwise around the terrain
 uniform float floor_height;  // m
 uniform mat4 view_projection;
 out vec3 point;   // m

@@ -17,7 +17,7 @@ struct DuneRule {
   std::int64_t smallest = 30;  ///< cells from which on a patch is a dune
 
   /// The usual rule for a terrain. Between the dunes lies what nine cells in ten have or exceed (0 where a tenth of the
-  /// land is bare), and a dune is thicker than that by `clear_of_base` quanta, and thicker than the mean: than what
+  /// terrain is bare), and a dune is thicker than that by `clear_of_base` quanta, and thicker than the mean: than what
   /// there would be were all sand spread evenly. So the outline of a barchan on bare ground runs near its foot, and
   /// ridges that stand foot to foot are told apart half-way up.
   static DuneRule usual(const Terrain& terrain);
@@ -42,8 +42,8 @@ struct Dune {
   double volume = 0;  ///< m3: of the sand within the outline over DuneRule::base
   /// Where both reach at least `least_horn` cells beyond the bay: the deepest hollow of the outline's downwind edge.
   std::optional<Horns> horns;
-  /// Degrees: the middle (median) slope of the cells that fall downwind by more than `least_slip_slope`, the land taken
-  /// as planes through 3 x 3 cells; nothing where fewer than `least_slip_cells` do.
+  /// Degrees: the middle (median) slope of the cells that fall downwind by more than `least_slip_slope`, the terrain
+  /// taken as planes through 3 x 3 cells; nothing where fewer than `least_slip_cells` do.
   std::optional<double> slip_face;
   /// Mean of x y^2 over the spreads of x and y^2 of its cells, x downwind and y across from the outline's middle.
   /// Positive where the sides lie downwind of the middle (horns of a barchan), negative where they lie upwind (arms of

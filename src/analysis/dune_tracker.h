@@ -18,13 +18,13 @@ struct DuneWay {
 /// Which dune of `earlier` each of `later` is; nothing for one that is new, has merged or has split. Two dunes are one
 /// where each is the other's nearest, their middles are less than half the earlier one's length or width apart
 /// (whichever is longer), and neither has more than 1.1 times the sand of the other: one that joins or loses a piece is
-/// another. `land` says how far the torus reaches, if it is one. So between two looks dunes should move less than half
-/// their length.
+/// another. `terrain` says how far the torus reaches, if it is one. So between two looks dunes should move less than
+/// half their length.
 std::vector<std::optional<std::size_t>> match_dunes(const std::vector<Dune>& earlier, const std::vector<Dune>& later,
-                                                    const Terrain& land);
+                                                    const Terrain& terrain);
 
 /// The shortest way from one dune's middle to another's, around the torus where there is one.
-DuneWay way_between(const Dune& from, const Dune& to, const Terrain& land);
+DuneWay way_between(const Dune& from, const Dune& to, const Terrain& terrain);
 
 /// Numbers dunes and follows them from look to look.
 class DuneTracker {
@@ -36,8 +36,8 @@ class DuneTracker {
     DuneWay way;              ///< since then
   };
 
-  /// Takes note of the dunes of `land` after `step` steps; steps must grow.
-  void observe(std::int64_t step, std::vector<Dune> dunes, const Terrain& land);
+  /// Takes note of the dunes of `terrain` after `step` steps; steps must grow.
+  void observe(std::int64_t step, std::vector<Dune> dunes, const Terrain& terrain);
   /// Counts ways anew from the last look; dunes keep their numbers.
   void start_ways();
 

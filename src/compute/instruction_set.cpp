@@ -38,7 +38,7 @@ InstructionSet find_instruction_set(const std::string& name, const std::string& 
     throw InputError(place, "this processor has no " + name,
                      "the best that it has is " + to_string(best_instruction_set()));
   }
-  throw InputError(place, "unknown instructions " + in_quotes(name), suggestion(name, names));
+  throw InputError(place, "unknown instructions " + quote(name), suggestion(name, names));
 }
 
 InstructionSet wanted_instruction_set() {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/joined.h"
+#include "core/join.h"
 
 namespace erg {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 std::string lines(const std::vector<Mistake>& mistakes) {
   std::vector<std::string> texts;
   for (const Mistake& mistake : mistakes) texts.push_back(mistake.text());
-  return joined(texts, "\n");
+  return join(texts, "\n");
 }
 
 /// ASCII capitals made small.
@@ -68,7 +68,7 @@ InputError::InputError(std::vector<Mistake> mistakes)
 InputError::InputError(std::string place, std::string problem, std::string remedy)
     : InputError(std::vector<Mistake>{{std::move(place), std::move(problem), std::move(remedy)}}) {}
 
-std::string in_quotes(std::string_view text) {
+std::string quote(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::size_t length = std::min(text.size(), longest);
   const auto continues = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80; };
@@ -101,7 +101,7 @@ std::string nearest_word(std::string_view word, std::span<const std::string> can
 
 std::string suggestion(std::string_view word, std::span<const std::string> candidates) {
   if (const std::string near = nearest_word(word, candidates); !near.empty()) return "did you mean \"" + near + "\"?";
-  return "expected one of " + joined(candidates, ", ");
+  return "expected one of " + join(candidates, ", ");
 }
 
 }  // namespace erg

@@ -33,7 +33,7 @@ class InputError : public std::runtime_error {
 };
 
 /// The text in double quotes for a message: on one line, cut after 60 bytes.
-std::string in_quotes(std::string_view text);
+std::string quote(std::string_view text);
 
 /// The candidate that `word` most likely meant, or "": edit distance at most a third of its length, at least 2, where
 /// capital and small letters are the same; else the only candidate that begins as the word does or that the word begins

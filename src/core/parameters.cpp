@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/exact_text.h"
-#include "core/joined.h"
+#include "core/join.h"
+#include "core/number_text.h"
 
 namespace erg {
 namespace {
@@ -39,7 +39,7 @@ std::string shown(const ParameterValue& value) {
   if (curve != nullptr && curve->vertices.size() > most_vertices) {
     return std::to_string(curve->vertices.size()) + " vertices";
   }
-  return text != nullptr ? in_quotes(*text) : value_text(value);
+  return text != nullptr ? quote(*text) : value_text(value);
 }
 
 Mistake unacceptable(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
@@ -69,7 +69,7 @@ std::optional<Mistake> check_choice(const Parameter& parameter, const ParameterV
   const auto* text = std::get_if<std::string>(&value);
   if (text == nullptr) return unacceptable(parameter, value, place);
   if (std::ranges::find(parameter.choices, *text) != parameter.choices.end()) return std::nullopt;
-  return Mistake{place, "unknown " + parameter.key + " " + in_quotes(*text), suggestion(*text, parameter.choices)};
+  return Mistake{place, "unknown " + parameter.key + " " + quote(*text), suggestion(*text, parameter.choices)};
 }
 
 std::optional<Mistake> check_curve(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
@@ -200,7 +200,7 @@ ParameterValue parse_value(const Parameter& parameter, std::string_view text, co
 }
 
 std::string value_text(const ParameterValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return exact_text(*number);
+  if (const auto* number = std::get_if<double>(&value)) return format_shortest(*number);
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* curve = std::get_if<PiecewiseLinear>(&value)) return vertices_text(*curve);
@@ -239,12 +239,12 @@ std::string accepted_text(const Parameter& parameter) {
     case ParameterKind::choice:
       break;
   }
-  return joined(parameter.choices, ", ");
+  return join(parameter.choices, ", ");
 }
 
 std::string accepted_with_unit(const Parameter& parameter) {
   const bool has_unit = !parameter.unit.empty() && parameter.notation == nullptr;
-  return accepted_text(parameter) + (has_unit ? " " + parameter.unit : "");
+  return accepted_text(parameter) + (has_unit ? " " + unit_text(parameter.unit) : "");
 }
 
 ParameterValues::ParameterValues(Declarations declared) : declared_(std::move(declared)) {
@@ -258,7 +258,7 @@ void ParameterValues::set(std::string_view key, ParameterValue value) {
   if (parameter == nullptr) {
     std::vector<std::string> keys;
     for (const Parameter& known : declared_) keys.push_back(known.key);
-    throw InputError("", "unknown key " + in_quotes(key), suggestion(key, keys));
+    throw InputError("", "unknown key " + quote(key), suggestion(key, keys));
   }
   if (auto mistake = check_value(*parameter, value, "")) throw InputError({std::move(*mistake)});
   values_[position(key)] = stored(*parameter, std::move(value));

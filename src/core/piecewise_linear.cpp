@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "core/exact_text.h"
+#include "core/number_text.h"
 
 namespace erg {
 namespace {
@@ -38,7 +38,7 @@ std::string vertices_text(const PiecewiseLinear& curve) {
   std::string text;
   for (const CurvePoint& vertex : curve.vertices) {
     if (!text.empty()) text += ", ";
-    text += exact_text(vertex.x) + ":" + exact_text(vertex.y);
+    text += format_shortest(vertex.x) + ":" + format_shortest(vertex.y);
   }
   return text;
 }

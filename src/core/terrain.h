@@ -55,7 +55,8 @@ struct MassLedger {
 inline constexpr int smallest_side = 1;
 inline constexpr int largest_side = 16384;
 
-/// The layers of a land, the fields that lie on it, and the account of its mobile material. Row 0 is the southernmost.
+/// The layers of a terrain, the fields that lie on it, and the account of its mobile material. Row 0 is the
+/// southernmost.
 class Terrain {
  public:
   Terrain() = default;

@@ -79,7 +79,7 @@ double parse_bearing(std::string_view text, const std::string& place) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_number = error == std::errc{} && end == text.data() + text.size();
   if (is_number && std::abs(number) <= largest_bearing) return fold_bearing(number);
-  throw InputError(place, "bearing is " + in_quotes(text), std::string("expected ") + accepted_bearings);
+  throw InputError(place, "bearing is " + quote(text), std::string("expected ") + accepted_bearings);
 }
 
 }  // namespace erg

@@ -82,7 +82,8 @@ class Model {
 
   /// Numbers of the model's own, of the last step unless their label says otherwise.
   virtual std::vector<Reading> readings() const { return {}; }
-  /// From the next step on keeps the ways of about `count` of its grains; a model that moves no single grains has none.
+  /// From the next step on keeps the trajectories of about `count` of its grains; a model that moves no single grains
+  /// has none.
   virtual void keep_paths(int count) { static_cast<void>(count); }
   /// The ways kept in the last step. On a torus a way that crosses an edge goes on as another, so that no line jumps.
   virtual std::vector<GrainPath> paths() const { return {}; }
@@ -97,7 +98,7 @@ struct ModelType {
   /// a cover, a machine of its own. A run's need of memory is reckoned from it (sim/memory.h).
   std::uint64_t working_bytes;
   std::function<std::unique_ptr<Model>(const ParameterValues&)> make;
-  /// What the values mean in slabs and cells, in words for people ("repose 33.7 deg: a step of 3 slabs stands").
+  /// What the values mean in slabs and cells, in words for people ("repose 33.7°: a step of 3 slabs stands").
   std::function<std::vector<std::string>(const ParameterValues&, double cell_size)> explain;
   /// What a step stands for under a wind of this mean strength; null: steps have no time of their own.
   std::function<StepScale(const ParameterValues&, double cell_size, double mean_strength)> step_scale = {};

@@ -5,7 +5,7 @@
 
 namespace erg::picture {
 
-/// A camera that looks at a point of the land.
+/// A camera that looks at a point of the terrain.
 struct Camera {
   std::array<double, 3> target{0, 0, 0};  ///< m: the point in the middle of the picture
   double bearing = 180;       ///< degrees: where the camera stands, seen from the target (180: in the south)

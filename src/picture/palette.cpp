@@ -67,7 +67,7 @@ const std::vector<std::string>& palette_names() {
 const Palette& find_palette(std::string_view name) {
   const auto found = std::find_if(table().begin(), table().end(), [&](const Palette& one) { return one.name == name; });
   if (found != table().end()) return *found;
-  throw InputError("palette", "there is no palette " + in_quotes(name), suggestion(name, palette_names()));
+  throw InputError("palette", "there is no palette " + quote(name), suggestion(name, palette_names()));
 }
 
 }  // namespace erg::picture

@@ -46,7 +46,7 @@ BlockWindow whole_window(Extent extent, int largest) {
   return {0, 0, {(extent.nx + block - 1) / block, (extent.ny + block - 1) / block}, block};
 }
 
-void read_land(const Terrain& terrain, const BlockWindow& window, std::vector<float>& values) {
+void read_terrain(const Terrain& terrain, const BlockWindow& window, std::vector<float>& values) {
   const bool periodic = terrain.boundary() == Boundary::torus;
   const std::vector<int> columns = columns_of(window, terrain.nx(), periodic);
   const double unit = terrain.quantum() / (static_cast<double>(window.block) * window.block);

@@ -26,7 +26,7 @@ struct BlockWindow {
 BlockWindow whole_window(Extent extent, int largest);
 
 /// Surface and thickness of the mobile layer (m) of each block, row by row from the south, interleaved.
-void read_land(const Terrain& terrain, const BlockWindow& window, std::vector<float>& values);
+void read_terrain(const Terrain& terrain, const BlockWindow& window, std::vector<float>& values);
 
 /// A field's value for each block, `missing_value` where a cell has none. Returns how many blocks have none.
 std::int64_t read_values(const Grid<float>& field, bool periodic, const BlockWindow& window,

@@ -18,7 +18,7 @@ constexpr double highest_altitude = 90;
 Eigen::Vector3d as_vector(const std::array<double, 3>& point) { return {point[0], point[1], point[2]}; }
 void set_target(Camera& camera, const Eigen::Vector3d& point) { camera.target = {point.x(), point.y(), point.z()}; }
 
-// The camera's own axes in the land: to the right, upwards, and back from the target to the eye.
+// The camera's own axes in the terrain: to the right, upwards, and back from the target to the eye.
 struct Axes {
   Eigen::Vector3d right, up, back;
 };
@@ -46,30 +46,30 @@ const std::vector<std::string>& camera_presets() {
   return names;
 }
 
-Camera camera_preset(std::string_view name, const LandBox& land, double aspect) {
+Camera camera_preset(std::string_view name, const TerrainBox& box, double aspect) {
   Camera camera;
-  set_target(camera, land.middle());
+  set_target(camera, box.middle());
   if (name == "top") {
     camera.orthographic = true;
-    camera.distance = distance_for(std::max(land.north, land.east / aspect), 1, camera.opening);
-    camera.distance = std::max(camera.distance, land.high - land.low);
+    camera.distance = distance_for(std::max(box.north, box.east / aspect), 1, camera.opening);
+    camera.distance = std::max(camera.distance, box.high - box.low);
   } else if (name == "oblique") {
     camera.bearing = 160;
     camera.altitude = 13;
     camera.opening = 36;
-    camera.distance = distance_for(std::max(0.75 * land.north, land.east / aspect), 1.3, camera.opening);
+    camera.distance = distance_for(std::max(0.75 * box.north, box.east / aspect), 1.3, camera.opening);
   } else if (name == "block") {
     camera.bearing = 155;
     camera.altitude = 30;
     camera.opening = 26;
-    camera.distance = distance_for(std::max(0.9 * land.north, 1.35 * land.east / aspect), 0.83, camera.opening);
+    camera.distance = distance_for(std::max(0.9 * box.north, 1.35 * box.east / aspect), 0.83, camera.opening);
   } else if (name == "side") {
     camera.bearing = 180;
     camera.altitude = 8;
     camera.opening = 20;
-    camera.distance = distance_for(land.east / aspect, 0.95, camera.opening) + 0.5 * land.north;
+    camera.distance = distance_for(box.east / aspect, 0.95, camera.opening) + 0.5 * box.north;
   } else {
-    throw InputError("camera", "there is no view " + in_quotes(name), suggestion(name, camera_presets()));
+    throw InputError("camera", "there is no view " + quote(name), suggestion(name, camera_presets()));
   }
   return camera;
 }

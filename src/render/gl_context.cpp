@@ -28,7 +28,7 @@ std::unique_ptr<GlContext> make_offscreen_context(std::string_view kind) {
   if (kind == "egl") return make_egl_context();
   if (kind == "osmesa") return make_osmesa_context();
   if (kind != "auto") {
-    throw InputError("context", "there is no kind " + in_quotes(kind), suggestion(kind, offscreen_kinds()));
+    throw InputError("context", "there is no kind " + quote(kind), suggestion(kind, offscreen_kinds()));
   }
   try {
     return make_egl_context();

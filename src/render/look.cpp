@@ -47,7 +47,7 @@ void check_look(const Look& look, const TerrainView& view) {
   const std::vector<std::string> keys = view.field_keys();
   known.insert(known.end(), keys.begin(), keys.end());
   if (std::find(known.begin(), known.end(), look.show) == known.end()) {
-    throw InputError("look", "there is no look " + in_quotes(look.show), suggestion(look.show, known));
+    throw InputError("look", "there is no look " + quote(look.show), suggestion(look.show, known));
   }
   if (!look.palette.empty()) find_palette(look.palette);
   check_number("exaggeration", look.exaggeration, 0.01, 100);

@@ -9,13 +9,13 @@
 
 namespace erg::render {
 
-/// How the land looks.
+/// How the terrain looks.
 struct Look {
   /// "material" (sand or snow as the view says, rock, plants), "sand", "snow", "elevation", "slope", or a field's key.
   std::string show = "material";
   std::string palette;       ///< for values; "": the field's own, RdYlGn for elevation, batlow for slope
   double contours = 0;       ///< interval of contour lines, in the unit of what is shown (material: m); 0: none
-  bool wireframe = false;    ///< the strips' edges over the land
+  bool wireframe = false;    ///< the strips' edges over the terrain
   bool raw_cells = false;    ///< no smoothing: straight lines from cell to cell
   bool shading = true;       ///< values are shaded by sun and sky
   double exaggeration = 1;   ///< of heights
@@ -25,7 +25,7 @@ struct Look {
   int copies = 0;            ///< rings of copies around a torus, as far as the horizon
   bool tufts = true;         ///< plants as tufts where the view has a field "vegetation"
   bool legend = true;        ///< legend, wind arrow, scale bar (the latter in orthographic views from above only)
-  bool transparent = false;  ///< nothing behind the land
+  bool transparent = false;  ///< nothing behind the terrain
 
   bool operator==(const Look&) const = default;
 

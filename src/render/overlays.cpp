@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/number_text.h"
 #include "core/units.h"
 #include "picture/label.h"
 #include "picture/marks.h"
@@ -50,7 +51,7 @@ void draw_legend_bar(RgbImage& image, const ValueScale& scale) {
   const int high = std::min(280, image.height / 2);
   const double span = scale.high - scale.low;
   constexpr int marks = 4;
-  const std::string title = with_unit(scale.label, scale.unit.empty() ? "" : "(" + scale.unit + ")");
+  const std::string title = with_unit(scale.label, scale.unit.empty() ? "" : "(" + unit_text(scale.unit) + ")");
   int wide = label_width(title, text_size);
   for (const double end : {scale.low, scale.high}) {
     wide = std::max(wide, bar_width + 14 + label_width(short_number(end, span), text_size));
@@ -72,9 +73,9 @@ void draw_legend_bar(RgbImage& image, const ValueScale& scale) {
 }
 
 int draw_wind(RgbImage& image, int left, const Overlay& overlay) {
-  const std::string text = "wind " + number_text(std::round(*overlay.wind)) + " deg";
+  const std::string text = "wind " + number_text(std::round(*overlay.wind)) + "°";
   const int baseline = image.height - margin;
-  // The arrow lies on the land: it turns with the camera.
+  // The arrow lies on the terrain: it turns with the camera.
   const double toward = radians(*overlay.wind + 180 - (overlay.camera_bearing + 180));
   draw_plate(image, left - 8, baseline - 25, label_width(text, text_size) + 56, 36);
   picture::draw_arrow(image, left + 16, baseline - 6, std::sin(toward), std::cos(toward), 30, ink);

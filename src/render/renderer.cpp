@@ -7,9 +7,9 @@
 #include "core/errors.h"
 #include "core/surface_range.h"
 #include "core/units.h"
-#include "render/land_maps.h"
 #include "render/overlays.h"
 #include "render/scene_painter.h"
+#include "render/terrain_maps.h"
 #include "render/textures.h"
 
 namespace erg::render {
@@ -21,7 +21,7 @@ using picture::RgbImage;
 
 namespace {
 
-constexpr double clearance = 0.02;  // of the land's shorter side: how far the camera keeps from the ground
+constexpr double clearance = 0.02;  // of the terrain's shorter side: how far the camera keeps from the ground
 
 // sRGB bytes to linear light.
 const std::array<float, 256>& linear_table() {
@@ -125,24 +125,24 @@ struct Renderer::Work {
 
   void paint(PaintRequest request, unsigned frame_buffer);
 
-  LandMaps maps;
+  TerrainMaps maps;
   ScenePainter painter;
   PictureTarget target;
   PictureTarget coarse;  // for fewer pixels than the picture has
-  RenderEffort effort;
+  RenderQuality quality;
 };
 
 void Renderer::Work::paint(PaintRequest request, unsigned frame_buffer) {
   const int width = request.width, height = request.height;
-  if (effort.coarseness > 1) {
-    request.width = std::max(1, width / effort.coarseness);
-    request.height = std::max(1, height / effort.coarseness);
+  if (quality.coarseness > 1) {
+    request.width = std::max(1, width / quality.coarseness);
+    request.height = std::max(1, height / quality.coarseness);
     coarse.prepare(request.width, request.height);
   }
-  glBindFramebuffer(GL_FRAMEBUFFER, effort.coarseness > 1 ? coarse.frame() : frame_buffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, quality.coarseness > 1 ? coarse.frame() : frame_buffer);
   gl11().Viewport(0, 0, request.width, request.height);
   painter.paint(request);
-  if (effort.coarseness == 1) return;
+  if (quality.coarseness == 1) return;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame_buffer);
   glBlitFramebuffer(0, 0, request.width, request.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, frame_buffer);
@@ -154,9 +154,9 @@ RgbImage Picture::opaque() const { return over(image, {1, 1, 1}); }
 Renderer::Renderer(const std::filesystem::path& shaders) : work_(std::make_unique<Work>(shaders)) {}
 Renderer::~Renderer() = default;
 
-void Renderer::set_effort(const RenderEffort& effort) { work_->effort = effort; }
+void Renderer::set_quality(const RenderQuality& quality) { work_->quality = quality; }
 
-LandBox Renderer::land_of(const TerrainView& view, const Look& look) {
+TerrainBox Renderer::box_of(const TerrainView& view, const Look& look) {
   if (is_empty(view)) return {};
   const Terrain& terrain = *view.terrain;
   const SurfaceRange range = surface_range(terrain);
@@ -194,31 +194,31 @@ Picture Renderer::draw(const TerrainView& view, const Look& look, const Camera& 
 std::vector<std::string> Renderer::draw_into(unsigned frame_buffer, const TerrainView& view, const Look& look,
                                              const Camera& camera, int width, int height) {
   std::vector<std::string> notes;
-  work_->maps.update({view, look, work_->effort, camera, height}, notes);
+  work_->maps.update({view, look, work_->quality, camera, height}, notes);
   Camera above = camera;
-  const LandBox land = work_->maps.land();
-  const double keep = std::min(clearance * std::min(land.east, land.north), 2 * work_->maps.cell_side());
-  const bool over_land =
-      look.copies > 0 || Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(land.east, land.north))
-                             .contains(eye(camera).head<2>());
-  if (!camera.orthographic && over_land) {
+  const TerrainBox box = work_->maps.box();
+  const double keep = std::min(clearance * std::min(box.east, box.north), 2 * work_->maps.cell_side());
+  const bool over_terrain =
+      look.copies > 0 ||
+      Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(box.east, box.north)).contains(eye(camera).head<2>());
+  if (!camera.orthographic && over_terrain) {
     keep_above(
         above, [this](double east, double north) { return ground_height(east, north); }, keep);
   }
-  work_->paint({view, look, above, work_->maps, work_->effort, width, height}, frame_buffer);
+  work_->paint({view, look, above, work_->maps, work_->quality, width, height}, frame_buffer);
   return notes;
 }
 
-std::optional<Eigen::Vector3d> Renderer::land_under(const Camera& camera, PicturePoint point, double aspect) const {
+std::optional<Eigen::Vector3d> Renderer::terrain_under(const Camera& camera, PicturePoint point, double aspect) const {
   const Sight line = sight(camera, point, aspect);
-  const LandBox land = work_->maps.land();
-  const double reach = 2 * camera.distance + land.east + land.north;
+  const TerrainBox box = work_->maps.box();
+  const double reach = 2 * camera.distance + box.east + box.north;
   const double step = 0.5 * work_->maps.cell_side();
   for (double way = 0; way < reach; way += step) {
     const Eigen::Vector3d place = line.from + way * line.direction;
-    const bool inside = place.x() >= 0 && place.y() >= 0 && place.x() <= land.east && place.y() <= land.north;
+    const bool inside = place.x() >= 0 && place.y() >= 0 && place.x() <= box.east && place.y() <= box.north;
     if (inside && place.z() <= ground_height(place.x(), place.y())) return place;
-    if (place.z() < land.low && line.direction.z() <= 0) break;
+    if (place.z() < box.low && line.direction.z() <= 0) break;
   }
   return std::nullopt;
 }

@@ -10,8 +10,8 @@
 
 #include "picture/image.h"
 #include "render/camera.h"
-#include "render/effort.h"
 #include "render/look.h"
+#include "render/quality.h"
 #include "render/shader_program.h"
 #include "render/terrain_view.h"
 
@@ -45,22 +45,22 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// How much work goes into the pictures to come; at first all there is.
-  void set_effort(const RenderEffort& effort);
+  void set_quality(const RenderQuality& quality);
 
   /// Draws into memory. Throws InputError for a look or size that cannot be.
   Picture draw(const TerrainView& view, const Look& look, const picture::Camera& camera, const PictureSize& size);
 
-  /// Draws the land (no writing) into the lower left of a frame buffer of the context: 0 is the window's. Returns
+  /// Draws the terrain (no writing) into the lower left of a frame buffer of the context: 0 is the window's. Returns
   /// what a person should know.
   std::vector<std::string> draw_into(unsigned frame_buffer, const TerrainView& view, const Look& look,
                                      const picture::Camera& camera, int width, int height);
 
-  /// The block of land of a view, for cameras.
-  static LandBox land_of(const TerrainView& view, const Look& look);
+  /// The block of terrain of a view, for cameras.
+  static TerrainBox box_of(const TerrainView& view, const Look& look);
 
-  /// The point of the land of the last drawing that is seen at a place of the picture.
-  std::optional<Eigen::Vector3d> land_under(const picture::Camera& camera, PicturePoint point, double aspect) const;
-  /// Height of the land of the last drawing, m; for keep_above.
+  /// The point of the terrain of the last drawing that is seen at a place of the picture.
+  std::optional<Eigen::Vector3d> terrain_under(const picture::Camera& camera, PicturePoint point, double aspect) const;
+  /// Height of the terrain of the last drawing, m; for keep_above.
   double ground_height(double east, double north) const;
 
   /// Texels uploaded since the beginning.

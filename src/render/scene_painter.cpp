@@ -49,7 +49,7 @@ int value_source(const Look& look) {
   return look.is_material() || look.show == "elevation" ? 0 : look.show == "slope" ? 1 : 2;
 }
 
-// Sets what the land's program wants to know of the look.
+// Sets what the terrain's program wants to know of the look.
 void hand_over_look(const PaintRequest& request, const ShaderProgram& program) {
   const Look& look = request.look;
   const double toward = radians(request.view.wind.value_or(0) + 180);
@@ -70,11 +70,11 @@ void hand_over_look(const PaintRequest& request, const ShaderProgram& program) {
   program.set("contour_step", look.contours);
 }
 
-// Calls use(east, north) with the shift (m) of each copy of the land.
+// Calls use(east, north) with the shift (m) of each copy of the terrain.
 template <typename Use>
-void for_copies(int rings, const LandBox& land, const Use& use) {
+void for_copies(int rings, const TerrainBox& box, const Use& use) {
   for (int row = -rings; row <= rings; ++row) {
-    for (int column = -rings; column <= rings; ++column) use(column * land.east, row * land.north);
+    for (int column = -rings; column <= rings; ++column) use(column * box.east, row * box.north);
   }
 }
 
@@ -94,12 +94,12 @@ ScenePainter::ScenePainter(const std::filesystem::path& shaders)
 
 ScenePainter::Air ScenePainter::make_air(const PaintRequest& request) {
   Air air;
-  const LandBox land = request.maps.land();
-  const double largest = std::max(land.east, land.north);
+  const TerrainBox box = request.maps.box();
+  const double largest = std::max(box.east, box.north);
   const Eigen::Vector3d stands = eye(request.camera);
   // The edge of the copies, seen from the eye, is where the haze must have closed.
-  const double rim = (copies_of(request) + 0.5) * largest + (stands - land.middle()).head<2>().norm();
-  const double reach = (copies_of(request) + 1) * 2 * largest + (land.high - land.low);
+  const double rim = (copies_of(request) + 0.5) * largest + (stands - box.middle()).head<2>().norm();
+  const double reach = (copies_of(request) + 1) * 2 * largest + (box.high - box.low);
   air.exact = projection_matrix(request.camera, static_cast<double>(request.width) / request.height, reach) *
               view_matrix(request.camera);
   air.view_projection = air.exact.cast<float>();
@@ -122,7 +122,7 @@ void ScenePainter::paint(const PaintRequest& request) {
   gl11().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl11().Enable(GL_DEPTH_TEST);
   gl11().DepthFunc(GL_LEQUAL);
-  paint_land(request, air);
+  paint_terrain(request, air);
   if (copies_of(request) == 0) paint_walls(request, air);
   if (request.look.is_material() && request.look.tufts) paint_tufts(request, air);
   if (!request.view.paths.empty()) paint_paths(request, air);
@@ -151,13 +151,13 @@ void ScenePainter::paint_background(const PaintRequest& request, const Air& air)
   } else {
     program.set("plain", 0.58f, 0.39f, 0.21f);
   }
-  program.set("plain_height", request.maps.land().low);
+  program.set("plain_height", request.maps.box().low);
   glBindVertexArray(no_vertices_.id());
   gl11().DrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
 }
 
-const ShaderProgram& ScenePainter::land_program(const PaintRequest& request, bool wires) {
+const ShaderProgram& ScenePainter::terrain_program(const PaintRequest& request, bool wires) {
   const Look& look = request.look;
   std::vector<std::string> words;
   const auto word = [&words](bool wanted, const char* name) {
@@ -166,26 +166,26 @@ const ShaderProgram& ScenePainter::land_program(const PaintRequest& request, boo
   word(wires, "WIRES");
   word(look.raw_cells, "RAW_CELLS");
   word(look.is_material(), "MATERIAL");
-  word(look.is_material() && request.effort.grains && look.grain > 0, "GRAINS");
+  word(look.is_material() && request.quality.grains && look.grain > 0, "GRAINS");
   word(look.is_material() && request.maps.has_plants(), "PLANTS");
   word(look.is_material() && request.maps.has_plants() && look.tufts, "TUFTS");
   word(look.contours > 0, "CONTOURS");
-  const auto found = land_programs_.find(words);
-  if (found != land_programs_.end()) return found->second;
-  return land_programs_.emplace(words, ShaderProgram(shaders_, "terrain.vert", "terrain.frag", words)).first->second;
+  const auto found = terrain_programs_.find(words);
+  if (found != terrain_programs_.end()) return found->second;
+  return terrain_programs_.emplace(words, ShaderProgram(shaders_, "terrain.vert", "terrain.frag", words)).first->second;
 }
 
-void ScenePainter::paint_land(const PaintRequest& request, const Air& air) {
+void ScenePainter::paint_terrain(const PaintRequest& request, const Air& air) {
   if (!request.look.wireframe) {
-    draw_sheets(request, air, land_program(request, false));
+    draw_sheets(request, air, terrain_program(request, false));
     return;
   }
   gl11().Enable(GL_POLYGON_OFFSET_FILL);
   gl11().PolygonOffset(1, 1);
-  draw_sheets(request, air, land_program(request, false));
+  draw_sheets(request, air, terrain_program(request, false));
   gl11().Disable(GL_POLYGON_OFFSET_FILL);
   gl11().PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  draw_sheets(request, air, land_program(request, true));
+  draw_sheets(request, air, terrain_program(request, true));
   gl11().PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
@@ -195,7 +195,7 @@ void ScenePainter::draw_sheets(const PaintRequest& request, const Air& air, cons
   request.maps.bind(program);
   hand_over_look(request, program);
   const Look& look = request.look;
-  const LandBox land = request.maps.land();
+  const TerrainBox box = request.maps.box();
   const int rings = copies_of(request);
   triangles_ = 0;
   for (const auto& sheet : request.maps.sheets()) {
@@ -205,20 +205,20 @@ void ScenePainter::draw_sheets(const PaintRequest& request, const Air& air, cons
     const int overlap = whole ? 0 : 1;
     const Extent blocks{sheet->blocks().nx + overlap, sheet->blocks().ny + overlap};
     program.set("grid", static_cast<float>(blocks.nx), static_cast<float>(blocks.ny));
-    // The mesh itself repeats a land of one sheet; others are repeated sheet by sheet.
-    for_copies(whole ? 0 : rings, land, [&](double east, double north) {
+    // The mesh itself repeats a terrain of one sheet; others are repeated sheet by sheet.
+    for_copies(whole ? 0 : rings, box, [&](double east, double north) {
       program.set("shift", static_cast<float>(east), static_cast<float>(north));
       mesh_.plan(
           {.cells = blocks,
            .cell_side = sheet->cell_side(),
            .corner = {sheet->corner()[0] + east, sheet->corner()[1] + north},
-           .low = land.low,
-           .high = land.high,
+           .low = box.low,
+           .high = box.high,
            .camera = request.camera,
            .view_projection = air.exact,
            .picture_height = request.height,
-           .step_pixels = look.wireframe ? std::max(8.0, request.effort.step_pixels) : request.effort.step_pixels,
-           .finest = look.raw_cells || look.wireframe ? TerrainMesh::tile_cells : request.effort.finest,
+           .step_pixels = look.wireframe ? std::max(8.0, request.quality.step_pixels) : request.quality.step_pixels,
+           .finest = look.raw_cells || look.wireframe ? TerrainMesh::tile_cells : request.quality.finest,
            .copies = whole ? rings : 0});
       mesh_.draw(program);
       triangles_ += mesh_.triangles();
@@ -227,25 +227,25 @@ void ScenePainter::draw_sheets(const PaintRequest& request, const Air& air, cons
 }
 
 void ScenePainter::paint_walls(const PaintRequest& request, const Air& air) const {
-  const LandBox land = request.maps.land();
+  const TerrainBox box = request.maps.box();
   const Extent cells = request.maps.cells();
   wall_program_.use();
   air.hand_to(wall_program_);
   request.maps.bind(wall_program_);
-  wall_program_.set("floor_height", land.low - 0.03 * std::max(land.east, land.north));
+  wall_program_.set("floor_height", box.low - 0.03 * std::max(box.east, box.north));
   glBindVertexArray(no_vertices_.id());
   for (const auto& sheet : request.maps.sheets()) {
     sheet->bind(wall_program_);
     const SheetPlace& place = sheet->place();
-    const double side = land.east / cells.nx;
-    const Eigen::AlignedBox2d box(
+    const double side = box.east / cells.nx;
+    const Eigen::AlignedBox2d rim_box(
         Eigen::Vector2d(place.left * side, place.low * side),
         Eigen::Vector2d((place.left + place.cells.nx) * side, (place.low + place.cells.ny) * side));
     const auto face = [&](bool outer, Eigen::AlignedBox2d::CornerType from, Eigen::AlignedBox2d::CornerType to,
                           int blocks) {
       if (!outer) return;
-      const int steps = std::max(1, blocks * request.effort.finest / TerrainMesh::tile_cells);  // as the mesh near by
-      const Eigen::Vector2f start = box.corner(from).cast<float>(), end = box.corner(to).cast<float>();
+      const int steps = std::max(1, blocks * request.quality.finest / TerrainMesh::tile_cells);  // as the mesh near by
+      const Eigen::Vector2f start = rim_box.corner(from).cast<float>(), end = rim_box.corner(to).cast<float>();
       wall_program_.set("steps", steps);
       wall_program_.set("from", start.x(), start.y());
       wall_program_.set("to", end.x(), end.y());
@@ -267,9 +267,9 @@ void ScenePainter::paint_tufts(const PaintRequest& request, const Air& air) cons
   int planted = 0;
   for (const auto& sheet : request.maps.sheets()) planted += sheet->planted_count();
   if (planted == 0) return;
-  const int tufts_a_cell = std::clamp(request.effort.most_tufts / planted, 1, most_a_cell);
+  const int tufts_a_cell = std::clamp(request.quality.most_tufts / planted, 1, most_a_cell);
   // When even one for each cell is too much, only every so many cells have any.
-  const int thinning = (planted * tufts_a_cell + request.effort.most_tufts - 1) / request.effort.most_tufts;
+  const int thinning = (planted * tufts_a_cell + request.quality.most_tufts - 1) / request.quality.most_tufts;
   tuft_program_.use();
   air.hand_to(tuft_program_);
   request.maps.bind(tuft_program_);
@@ -284,7 +284,7 @@ void ScenePainter::paint_tufts(const PaintRequest& request, const Air& air) cons
     glBindBuffer(GL_ARRAY_BUFFER, sheet->planted());
     glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, thinning * 2 * static_cast<GLsizei>(sizeof(float)), nullptr);
     glVertexAttribDivisor(0, static_cast<GLuint>(tufts_a_cell));
-    for_copies(std::min(1, copies_of(request)), request.maps.land(), [&](double east, double north) {
+    for_copies(std::min(1, copies_of(request)), request.maps.box(), [&](double east, double north) {
       tuft_program_.set("shift", static_cast<float>(east), static_cast<float>(north));
       glDrawArraysInstanced(GL_TRIANGLES, 0, 3 * blades, cells * tufts_a_cell);
     });

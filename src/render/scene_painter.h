@@ -1,4 +1,4 @@
-// The order in which a picture is painted: what lies behind, the land, its cut faces, plants, lines.
+// The order in which a picture is painted: what lies behind, the terrain, its cut faces, plants, lines.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "render/land_maps.h"
 #include "render/shader_program.h"
+#include "render/terrain_maps.h"
 #include "render/terrain_mesh.h"
 
 namespace erg::render {
@@ -18,8 +18,8 @@ struct PaintRequest {
   const TerrainView& view;
   const Look& look;
   const picture::Camera& camera;
-  const LandMaps& maps;
-  const RenderEffort& effort;
+  const TerrainMaps& maps;
+  const RenderQuality& quality;
   int width = 1;
   int height = 1;
 };
@@ -30,15 +30,15 @@ class ScenePainter {
   explicit ScenePainter(const std::filesystem::path& shaders);
   /// Paints into the bound frame buffer.
   void paint(const PaintRequest& request);
-  /// Triangles of the land in the last painting.
+  /// Triangles of the terrain in the last painting.
   std::int64_t triangles() const { return triangles_; }
 
  private:
   struct Air;
   static Air make_air(const PaintRequest& request);
   void paint_background(const PaintRequest& request, const Air& air) const;
-  void paint_land(const PaintRequest& request, const Air& air);
-  const ShaderProgram& land_program(const PaintRequest& request, bool wires);
+  void paint_terrain(const PaintRequest& request, const Air& air);
+  const ShaderProgram& terrain_program(const PaintRequest& request, bool wires);
   void draw_sheets(const PaintRequest& request, const Air& air, const ShaderProgram& program);
   void paint_walls(const PaintRequest& request, const Air& air) const;
   void paint_tufts(const PaintRequest& request, const Air& air) const;
@@ -47,7 +47,7 @@ class ScenePainter {
   ShaderProgram sky_program_;
   ShaderProgram backdrop_program_;
   std::filesystem::path shaders_;
-  std::map<std::vector<std::string>, ShaderProgram> land_programs_;  // by the words that they are made with
+  std::map<std::vector<std::string>, ShaderProgram> terrain_programs_;  // by the words that they are made with
   ShaderProgram wall_program_;
   ShaderProgram tuft_program_;
   ShaderProgram line_program_;

@@ -12,13 +12,13 @@ constexpr int most_across = 8;    // sheets a side
 constexpr int widest_apron = 64;  // blocks: as far as shadows are seen to come from
 constexpr int least_apron = 20;   // blocks: as far as smoothing looks
 
-SheetPlace whole_land(Extent extent, int largest) { return {0, 0, extent, whole_window(extent, largest), true}; }
+SheetPlace whole_terrain(Extent extent, int largest) { return {0, 0, extent, whole_window(extent, largest), true}; }
 
 // Pixels that a cell of the sheet has in the picture where it is nearest.
 double pixels_a_cell(const SheetPlanRequest& request, const SheetPlace& place) {
   const double side = request.terrain.cell_size();
-  const Eigen::Vector3d low(place.left * side, place.low * side, request.land.low);
-  const Eigen::Vector3d high(low.x() + place.cells.nx * side, low.y() + place.cells.ny * side, request.land.high);
+  const Eigen::Vector3d low(place.left * side, place.low * side, request.box.low);
+  const Eigen::Vector3d high(low.x() + place.cells.nx * side, low.y() + place.cells.ny * side, request.box.high);
   double away = request.camera.distance;
   if (!request.camera.orthographic) {
     away = std::sqrt(Eigen::AlignedBox3d(low, high).squaredExteriorDistance(eye(request.camera)));
@@ -57,8 +57,8 @@ std::vector<SheetPlace> cut(Extent extent, int most) {
 
 std::vector<SheetPlace> plan_sheets(const SheetPlanRequest& request) {
   const Extent extent = request.terrain.extent();
-  const int largest = std::min(request.effort.largest_side, largest_texture());
-  if (!request.effort.tiled || std::max(extent.nx, extent.ny) <= largest) return {whole_land(extent, largest)};
+  const int largest = std::min(request.quality.largest_side, largest_texture());
+  if (!request.quality.tiled || std::max(extent.nx, extent.ny) <= largest) return {whole_terrain(extent, largest)};
   const int apron = std::clamp(largest / 8, least_apron, widest_apron);
   std::vector<SheetPlace> sheets = cut(extent, largest - 2 * apron);
   const double most_blocks = static_cast<double>(largest) * largest;

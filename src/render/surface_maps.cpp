@@ -76,45 +76,45 @@ SurfaceWorkshop::SurfaceWorkshop(const std::filesystem::path& shaders)
       no_vertices(GlObject::vertex_array()) {}
 
 void SurfaceMaps::update(SurfaceWorkshop& workshop, const SurfaceSource& source, const LightSource& light,
-                         const RenderEffort& effort, const std::vector<TexelRect>& changed) {
+                         const RenderQuality& quality, const std::vector<TexelRect>& changed) {
   const Extent cells = source.cells.extent();
   const std::vector<TexelRect> everywhere{{0, 0, cells.nx, cells.ny}};
-  const int most = std::min(effort.largest_map, largest_texture());
+  const int most = std::min(quality.largest_map, largest_texture());
   detail_ = !source.raw && 2 * std::max(cells.nx, cells.ny) <= most ? 2 : 1;
   const std::vector<double> surface_key{source.raw ? 1.0 : 0.0,
                                         static_cast<double>(detail_),
                                         source.quantum,
                                         source.cell_side,
-                                        static_cast<double>(effort.smoothings),
+                                        static_cast<double>(quality.smoothings),
                                         static_cast<double>(cells.nx),
                                         static_cast<double>(cells.ny)};
-  const std::vector<double> light_key{effort.light_share, effort.light_stride,
-                                      static_cast<double>(effort.sky_directions),
-                                      static_cast<double>(effort.sky_steps)};
+  const std::vector<double> light_key{quality.light_share, quality.light_stride,
+                                      static_cast<double>(quality.sky_directions),
+                                      static_cast<double>(quality.sky_steps)};
   const bool surface_new = surface_key != surface_key_;
   const bool light_new = surface_new || light_key != light_key_ || !(light == lit_by_);
   if (surface_new || !changed.empty()) {
-    compute_surface(workshop, source, effort, surface_new ? everywhere : changed);
+    compute_surface(workshop, source, quality, surface_new ? everywhere : changed);
   }
-  if (light_new || !changed.empty()) compute_light(workshop, source, light, effort, light_new ? everywhere : changed);
+  if (light_new || !changed.empty()) compute_light(workshop, source, light, quality, light_new ? everywhere : changed);
   surface_key_ = surface_key;
   light_key_ = light_key;
   lit_by_ = light;
 }
 
 // Each stage is computed as far around as the next one looks.
-void SurfaceMaps::compute_surface(SurfaceWorkshop& workshop, const SurfaceSource& source, const RenderEffort& effort,
+void SurfaceMaps::compute_surface(SurfaceWorkshop& workshop, const SurfaceSource& source, const RenderQuality& quality,
                                   const std::vector<TexelRect>& where) {
   const Extent cells = source.cells.extent();
   surface_.prepare({cells.nx * detail_, cells.ny * detail_}, GL_RG32F, source.periodic);
   shape_.prepare(surface_.size(), GL_RGBA32F, source.periodic);
   // In the mean of a block single slabs are gone by themselves: a quick picture must not take low dunes, which are only
   // some blocks wide, away with them.
-  const int wide = effort.smoothings == 1 ? source.block : 1;
+  const int wide = quality.smoothings == 1 ? source.block : 1;
   // Single slabs go first, then, on what is left, the bumps of a few cells that they made.
-  const Smoothing slabs{.detail = effort.smoothings == 1 ? detail_ : 1,
+  const Smoothing slabs{.detail = quality.smoothings == 1 ? detail_ : 1,
                         .plane_reach = (3 + wide - 1) / wide,
-                        .reach = effort.smoothings == 1 ? (2 + wide - 1) / wide : 3,
+                        .reach = quality.smoothings == 1 ? (2 + wide - 1) / wide : 3,
                         .spread = 1.5,
                         .noise = 0.4,
                         .tolerance = 0.8,
@@ -126,7 +126,7 @@ void SurfaceMaps::compute_surface(SurfaceWorkshop& workshop, const SurfaceSource
     workshop.raw.use();
     workshop.raw.set_texture("cells", 0, source.cells.id());
     run_pass(workshop, source, workshop.raw, source.cells.extent(), surface_, where);
-  } else if (effort.smoothings == 1) {
+  } else if (quality.smoothings == 1) {
     smooth_into(workshop, source, surface_, source.cells.id(), slabs, grown(where, reach_of(slabs), source));
   } else {
     const std::vector<TexelRect> reached = grown(where, reach_of(slabs) + reach_of(bumps), source);
@@ -135,7 +135,7 @@ void SurfaceMaps::compute_surface(SurfaceWorkshop& workshop, const SurfaceSource
                 grown(reached, reach_of(bumps), source));
     smooth_into(workshop, source, surface_, workshop.first_surface.id(), bumps, reached);
   }
-  const int reach = source.raw ? 2 : reach_of(slabs) + (effort.smoothings == 1 ? 0 : reach_of(bumps)) + 2;
+  const int reach = source.raw ? 2 : reach_of(slabs) + (quality.smoothings == 1 ? 0 : reach_of(bumps)) + 2;
   const std::vector<TexelRect> reached = grown(where, reach, source);
   workshop.shape.use();
   workshop.shape.set("texel_side", source.cell_side / detail_);
@@ -177,15 +177,15 @@ void SurfaceMaps::smooth_into(SurfaceWorkshop& workshop, const SurfaceSource& so
 }
 
 void SurfaceMaps::compute_light(SurfaceWorkshop& workshop, const SurfaceSource& source, const LightSource& light,
-                                const RenderEffort& effort, const std::vector<TexelRect>& where) {
+                                const RenderQuality& quality, const std::vector<TexelRect>& where) {
   const auto share = [&](int texels) {
-    return std::max(1, static_cast<int>(std::lround(effort.light_share * texels)));
+    return std::max(1, static_cast<int>(std::lround(quality.light_share * texels)));
   };
   light_.prepare({share(surface_.size().nx), share(surface_.size().ny)}, GL_RGBA16F, source.periodic);
   const double step_length = source.cell_side * source.cells.extent().nx / light_.size().nx;
   const double sun_rise = std::max(0.02, 0.8 * light.sun_tangent);
   // What changed at a place is seen from as far as light.frag looks: around it, and down the sun and the wind.
-  const double sky_reach = 1.5 * std::pow(1.7, effort.sky_steps - 1);  // texels
+  const double sky_reach = 1.5 * std::pow(1.7, quality.sky_steps - 1);  // texels
   const double around = 24 + sky_reach * step_length / source.cell_side;
   const double down_sun = (light.high - light.low) / sun_rise / source.cell_side + around;
   const double down_wind = (light.high - light.low) / least_wind_rise / source.cell_side + around;
@@ -200,9 +200,9 @@ void SurfaceMaps::compute_light(SurfaceWorkshop& workshop, const SurfaceSource& 
   program.use();
   program.set("texel", 1.0f / static_cast<float>(light_.size().nx), 1.0f / static_cast<float>(light_.size().ny));
   program.set("step_length", step_length);
-  program.set("stride", effort.light_stride);
-  program.set("sky_directions", effort.sky_directions);
-  program.set("sky_steps", effort.sky_steps);
+  program.set("stride", quality.light_stride);
+  program.set("sky_directions", quality.sky_directions);
+  program.set("sky_steps", quality.sky_steps);
   program.set("exaggeration", light.exaggeration);
   program.set("highest", light.high);
   program.set("sun_rise", sun_rise);

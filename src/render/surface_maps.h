@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <vector>
 
-#include "render/effort.h"
+#include "render/quality.h"
 #include "render/shader_program.h"
 #include "render/textures.h"
 
 namespace erg::render {
 
 /// The programs that make maps, and the maps between cells and surface that are needed only while one is made; shared
-/// by all sheets of a land.
+/// by all sheets of a terrain.
 struct SurfaceWorkshop {
   explicit SurfaceWorkshop(const std::filesystem::path& shaders);
 
@@ -35,7 +35,7 @@ struct SurfaceSource {
 /// What the light comes from and falls on.
 struct LightSource {
   double exaggeration = 1;
-  double low = 0;                  ///< m: the lowest point of the land, exaggerated
+  double low = 0;                  ///< m: the lowest point of the terrain, exaggerated
   double high = 0;                 ///< m: the highest
   double sun_tangent = 1;          ///< of the sun's altitude
   std::array<float, 2> to_sun{};   ///< unit vector on the ground
@@ -49,7 +49,7 @@ class SurfaceMaps {
  public:
   /// Brings the maps up to date. `changed`: the cells that are new since the last time.
   void update(SurfaceWorkshop& workshop, const SurfaceSource& source, const LightSource& light,
-              const RenderEffort& effort, const std::vector<TexelRect>& changed);
+              const RenderQuality& quality, const std::vector<TexelRect>& changed);
 
   /// Height and thickness of the mobile layer, m.
   GLuint surface() const { return surface_.id(); }
@@ -63,12 +63,12 @@ class SurfaceMaps {
 
  private:
   struct Smoothing;
-  void compute_surface(SurfaceWorkshop& workshop, const SurfaceSource& source, const RenderEffort& effort,
+  void compute_surface(SurfaceWorkshop& workshop, const SurfaceSource& source, const RenderQuality& quality,
                        const std::vector<TexelRect>& where);
   void smooth_into(SurfaceWorkshop& workshop, const SurfaceSource& source, const MapTarget& target, GLuint cells,
                    const Smoothing& smoothing, const std::vector<TexelRect>& where) const;
   void compute_light(SurfaceWorkshop& workshop, const SurfaceSource& source, const LightSource& light,
-                     const RenderEffort& effort, const std::vector<TexelRect>& where);
+                     const RenderQuality& quality, const std::vector<TexelRect>& where);
 
   MapTarget surface_, shape_, light_;
   int detail_ = 0;  // texels of the surface for the side of a cell

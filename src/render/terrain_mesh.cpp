@@ -12,7 +12,8 @@ namespace {
 constexpr int coarsest = 2;  // steps for the side of a tile
 constexpr GLuint restart = 0xffffffff;
 
-// The lattice of all tiles, copies of the land included. Tiles that would reach over an edge of the land are cut there.
+// The lattice of all tiles, copies of the terrain included. Tiles that would reach over an edge of the terrain are cut
+// there.
 struct Lattice {
   Lattice(const MeshRequest& request)
       : across((request.cells.nx + TerrainMesh::tile_cells - 1) / TerrainMesh::tile_cells),

@@ -1,4 +1,4 @@
-// The land as tiles of triangle strips, finer near the eye. The strips hold no heights: they count steps, and the
+// The terrain as tiles of triangle strips, finer near the eye. The strips hold no heights: they count steps, and the
 // vertex shader fetches the height of each.
 #pragma once
 
@@ -19,18 +19,18 @@ namespace erg::render {
 struct MeshRequest {
   Extent cells;                     ///< of the sheet, without its apron
   double cell_side = 1;             ///< m
-  Eigen::Vector2d corner = {0, 0};  ///< m: of its south-west, in the copy of the land that is drawn
-  double low = 0;                   ///< m: of the land
-  double high = 1;                  ///< m: of the land
+  Eigen::Vector2d corner = {0, 0};  ///< m: of its south-west, in the copy of the terrain that is drawn
+  double low = 0;                   ///< m: of the terrain
+  double high = 1;                  ///< m: of the terrain
   picture::Camera camera;
   Eigen::Matrix4d view_projection;
   int picture_height = 1;  ///< pixels
   double step_pixels = 2;  ///< wanted length of a step in the picture
   int finest = 256;        ///< most steps for the side of a tile, at most 256
-  int copies = 0;          ///< rings of copies around the sheet, when it is the whole land
+  int copies = 0;          ///< rings of copies around the sheet, when it is the whole terrain
 };
 
-/// The tiles of one land, planned for one picture at a time.
+/// The tiles of one terrain, planned for one picture at a time.
 class TerrainMesh {
  public:
   static constexpr int tile_cells = 64;

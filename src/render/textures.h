@@ -1,4 +1,4 @@
-// Textures that hold the land, and targets to draw into.
+// Textures that hold the terrain, and targets to draw into.
 #pragma once
 
 #include <cstdint>

@@ -16,7 +16,7 @@ enum class BrushMaterial {
 };
 
 /// One touch of a brush.
-struct Dab {
+struct BrushStamp {
   BrushMaterial material = BrushMaterial::sand;
   double x = 0;       ///< cells east of the grid's western edge (a cell's centre lies at its index + 0.5)
   double y = 0;       ///< cells north of the southern edge
@@ -30,10 +30,10 @@ struct Dab {
 inline constexpr double smallest_brush = 0.5;
 inline constexpr double largest_brush = 512;
 
-/// Puts one dab on the terrain: on a torus also across its edges, on an open grid cut off at them. Sand is taken only
+/// Puts one stamp on the terrain: on a torus also across its edges, on an open grid cut off at them. Sand is taken only
 /// where some lies. Says whether a cell changed. Throws InputError, and leaves the terrain as it was, when the ground
 /// would become higher than executors count, or for a field that the model does not have. The ledger is the caller's
 /// (Simulation::book_edit).
-bool apply_dab(Terrain& terrain, const Dab& dab);
+bool apply_stamp(Terrain& terrain, const BrushStamp& stamp);
 
 }  // namespace erg::session

@@ -1,4 +1,5 @@
 #include "session/comparison.h"
+#include "core/number_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,7 +15,7 @@ namespace {
 std::string shown(const ParameterValues& values, const std::string& key) {
   const Parameter* parameter = values.find(key);
   if (parameter == nullptr) return "-";
-  return value_text(values.value(key)) + (parameter->unit.empty() ? "" : " " + parameter->unit);
+  return value_text(values.value(key)) + (parameter->unit.empty() ? "" : " " + unit_text(parameter->unit));
 }
 
 bool all_same(const std::vector<std::string>& values) {
@@ -58,7 +59,7 @@ std::vector<SetupDifference> Comparison::differences() const {
     add(channel.declared.key, channel.declared.label, [&channel](const Setup& setup) -> std::string {
       if (!uses_channel(setup.model().info.channels, channel)) return "-";
       const Course& course = setup.config().weather.*channel.over_run;
-      return value_text(course.first) + " to " + value_text(course.last) + " " + channel.declared.unit;
+      return value_text(course.first) + " to " + value_text(course.last) + " " + unit_text(channel.declared.unit);
     });
   }
   for (const sim::ConfigGroup& group : sim::config_groups()) {

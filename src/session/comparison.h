@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "session/lockstep.h"
+#include "session/run_group.h"
 #include "session/setup.h"
 #include "session/snapshot.h"
 

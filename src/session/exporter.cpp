@@ -74,7 +74,7 @@ const std::vector<Writer>& writers() {
          write_series(path, *run.series, source);
        }},
       {{"checkpoint", "Checkpoint", ".checkpoint", "The whole run: it goes on from here to the same bits.",
-        Keeps::land},
+        Keeps::terrain},
        [](const auto& path, const auto& run, const auto&, const auto&) {
          io::write_checkpoint(path, *run.config, run.state());
        }},
@@ -107,7 +107,7 @@ void export_run(const fs::path& path, const std::string& format, const RunSnapsh
     if (writer.format.key != format) continue;
     return writer.write(path, run, io::provenance_of(*run.config, run.step, run.executor, run.threads), progress);
   }
-  throw InputError("export", "unknown format " + in_quotes(format), suggestion(format, keys));
+  throw InputError("export", "unknown format " + quote(format), suggestion(format, keys));
 }
 
 Export::Export(fs::path path, std::string format, std::shared_ptr<const Snapshot> snapshot, std::size_t run)

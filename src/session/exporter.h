@@ -17,8 +17,8 @@ namespace erg::session {
 /// What of a run can be had again from a file.
 enum class Keeps {
   nothing,
-  setup,  ///< the config
-  land    ///< everything, the config too
+  setup,   ///< the config
+  terrain  ///< everything, the config too
 };
 
 /// A kind of file that a run can be written as.

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/number_text.h"
 #include "core/surface_range.h"
 #include "core/units.h"
 #include "forcing/bearing.h"
@@ -53,13 +54,13 @@ void count(Histogram& histogram, double value) {
 
 std::string CellReading::text() const {
   char text[160];
-  std::snprintf(text, sizeof text, "cell %d, %d   height %.2f m   %d slab%s, %.2f m thick   slope %.0f deg", place.x,
+  std::snprintf(text, sizeof text, "cell %d, %d   height %.2f m   %d slab%s, %.2f m thick   slope %.0f°", place.x,
                 place.y, height, mobile, mobile == 1 ? "" : "s", thickness, slope);
   std::string all = text;
   for (const FieldReading& field : fields) {
     std::snprintf(text, sizeof text, "%.4g", field.value);
     all.append("   ").append(field.info->label).append(" ").append(text);
-    if (!field.info->unit.empty()) all.append(" ").append(field.info->unit);
+    if (!field.info->unit.empty()) all.append(" ").append(unit_text(field.info->unit));
   }
   return all;
 }

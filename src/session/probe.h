@@ -34,7 +34,7 @@ struct CellReading {
   double uphill = 0;         ///< degrees: bearing toward which the ground rises
   std::vector<FieldReading> fields;
 
-  /// "cell 120, 88   height 4.33 m   13 slabs, 4.33 m thick   slope 12 deg", then the declared layers.
+  /// "cell 120, 88   height 4.33 m   13 slabs, 4.33 m thick   slope 12°", then the declared layers.
   std::string text() const;
 };
 /// The place must lie on the grid.

@@ -72,7 +72,7 @@ struct Publisher::Lane {
 Publisher::Publisher() : pool_(std::make_shared<TerrainPool>()) {}
 Publisher::~Publisher() = default;
 
-void Publisher::made_anew(Lockstep& runs) {
+void Publisher::made_anew(RunGroup& runs) {
   pool_ = std::make_shared<TerrainPool>();  // what lies free has the size of the runs before
   lanes_.clear();
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -81,7 +81,7 @@ void Publisher::made_anew(Lockstep& runs) {
   }
 }
 
-void Publisher::touched(Lockstep& runs) {
+void Publisher::touched(RunGroup& runs) {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = *lanes_[i];
     Simulation& simulation = runs.run(i);
@@ -94,7 +94,7 @@ void Publisher::touched(Lockstep& runs) {
   }
 }
 
-void Publisher::configured(Lockstep& runs) {
+void Publisher::configured(RunGroup& runs) {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = *lanes_[i];
     lane.config_stale = true;
@@ -103,7 +103,7 @@ void Publisher::configured(Lockstep& runs) {
   }
 }
 
-void Publisher::stepped(Lockstep& runs, std::int64_t polls) {
+void Publisher::stepped(RunGroup& runs, std::int64_t polls) {
   ++window_steps_;
   window_polls_ += polls;
   for (const auto& lane : lanes_) lane->stale = true;
@@ -166,7 +166,7 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
   view.threads = simulation.executor().threads();
 }
 
-void Publisher::fill(Snapshot& snapshot, Lockstep& runs, bool running) {
+void Publisher::fill(Snapshot& snapshot, RunGroup& runs, bool running) {
   const Clock::time_point begin = Clock::now();
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     // At rest the last numbers are those of what is seen.

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "session/lockstep.h"
+#include "session/run_group.h"
 #include "session/snapshot.h"
 
 namespace erg::session {
@@ -26,16 +26,16 @@ class Publisher {
   bool due(Clock::time_point now) const { return now >= next_; }
   Clock::time_point next() const { return next_; }
   /// The runs are other ones than before.
-  void made_anew(Lockstep& runs);
+  void made_anew(RunGroup& runs);
   /// Notes a step done: `polls` of all runs. Takes the runs' numbers when a row of their
   /// series is due.
-  void stepped(Lockstep& runs, std::int64_t polls);
+  void stepped(RunGroup& runs, std::int64_t polls);
   /// The runs were changed, painted on or taken back: they are not what was shown.
-  void touched(Lockstep& runs);
+  void touched(RunGroup& runs);
   /// The runs have other configs; the terrain stays what it is.
-  void configured(Lockstep& runs);
+  void configured(RunGroup& runs);
   /// Fills in `runs` and the rates; terrains that did not change since are shared with the last snapshot.
-  void fill(Snapshot& snapshot, Lockstep& runs, bool running);
+  void fill(Snapshot& snapshot, RunGroup& runs, bool running);
   /// Rates start anew: the runs begin to move now.
   void start_rates();
   void watch_shadow(bool wanted);

@@ -132,8 +132,8 @@ void Runner::change(std::vector<Config> configs) {
   });
 }
 
-void Runner::paint(std::size_t run, const Dab& dab, std::uint64_t stroke) {
-  give([this, run, dab, stroke] { edit([&] { runs_.paint(run, dab, stroke); }); });
+void Runner::paint(std::size_t run, const BrushStamp& stamp, std::uint64_t stroke) {
+  give([this, run, stamp, stroke] { edit([&] { runs_.paint(run, stamp, stroke); }); });
 }
 
 void Runner::undo() {
@@ -305,7 +305,7 @@ void Runner::fail(const std::string& what) {
 void Runner::take_back_if_torn() {
   if (!torn_) return;
   const std::shared_ptr<const Snapshot> whole = snapshot();
-  Lockstep::Moment moment;
+  RunGroup::Moment moment;
   for (const RunSnapshot& run : whole->runs) moment.push_back(std::make_shared<const sim::RunState>(run.state()));
   runs_.go_to(moment, whole->blown);
   torn_ = false;

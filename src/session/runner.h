@@ -15,9 +15,9 @@
 
 #include "io/checkpoint/checkpoint.h"
 #include "session/brush.h"
-#include "session/lockstep.h"
 #include "session/log.h"
 #include "session/publisher.h"
+#include "session/run_group.h"
 #include "session/snapshot.h"
 
 namespace erg::session {
@@ -68,8 +68,8 @@ class Runner {
   void set_speed(double steps_per_second);
   /// The runs go on under these configs (as many as there are runs) from the next step on.
   void change(std::vector<sim::Config> configs);
-  /// Puts a dab on one run. Dabs with the same stroke number are undone together.
-  void paint(std::size_t run, const Dab& dab, std::uint64_t stroke);
+  /// Puts a stamp on one run. Stamps with the same stroke number are undone together.
+  void paint(std::size_t run, const BrushStamp& stamp, std::uint64_t stroke);
   /// Back to exactly what was before the last stroke or reset: terrain, account, clock. What the runs are set to stays.
   void undo();
   /// Takes the last undo back.
@@ -113,7 +113,7 @@ class Runner {
   std::shared_ptr<const Snapshot> newest_;
 
   // The worker's own.
-  Lockstep runs_;
+  RunGroup runs_;
   Publisher publisher_;
   Activity activity_ = Activity::empty;
   std::string message_;

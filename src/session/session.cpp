@@ -137,9 +137,9 @@ std::vector<fs::path> newest_save(const std::vector<fs::path>& checkpoints) {
 }
 
 /// What is known of a session whose list is missing or damaged. Its checkpoints are read when it is recovered.
-LostSession lost_without_list(const fs::path& folder, const std::vector<fs::path>& checkpoints) {
-  LostSession lost{folder, "A session whose list is missing or damaged", "(unknown)", 0,
-                   newest_save(checkpoints).size()};
+CrashedSession lost_without_list(const fs::path& folder, const std::vector<fs::path>& checkpoints) {
+  CrashedSession lost{folder, "A session whose list is missing or damaged", "(unknown)", 0,
+                      newest_save(checkpoints).size()};
   std::error_code failed;
   if (checkpoints.empty()) return lost;
   const auto written = fs::last_write_time(newest_save(checkpoints).front(), failed);
@@ -221,12 +221,12 @@ void Session::save(const Snapshot& snapshot) {
   saved_version_ = version_of(snapshot);
 }
 
-void Session::replaces(const LostSession& session) { replaced_.push_back(session.folder); }
+void Session::replaces(const CrashedSession& session) { replaced_.push_back(session.folder); }
 
 std::string Session::take_problem() { return std::exchange(problem_, {}); }
 
-std::vector<LostSession> Session::lost(const fs::path& state_folder) {
-  std::vector<LostSession> found;
+std::vector<CrashedSession> Session::lost(const fs::path& state_folder) {
+  std::vector<CrashedSession> found;
   std::error_code failed;
   for (fs::directory_iterator entry(state_folder, failed), end; !failed && entry != end; entry.increment(failed)) {
     const fs::path folder = entry->path();
@@ -248,11 +248,11 @@ std::vector<LostSession> Session::lost(const fs::path& state_folder) {
     found.push_back({folder, json.value("title", ""), json.value("saved_at", ""), json.value("step", std::int64_t{0}),
                      json["runs"].size()});
   }
-  std::ranges::sort(found, [](const LostSession& a, const LostSession& b) { return a.saved_at > b.saved_at; });
+  std::ranges::sort(found, [](const CrashedSession& a, const CrashedSession& b) { return a.saved_at > b.saved_at; });
   return found;
 }
 
-std::vector<Saved> Session::recover(const LostSession& session) {
+std::vector<Saved> Session::recover(const CrashedSession& session) {
   const Json json = read_session(session.folder);
   std::vector<Saved> runs;
   if (json.is_null()) {
@@ -269,6 +269,6 @@ std::vector<Saved> Session::recover(const LostSession& session) {
   return runs;
 }
 
-void Session::discard(const LostSession& session) { remove_folders({session.folder}); }
+void Session::discard(const CrashedSession& session) { remove_folders({session.folder}); }
 
 }  // namespace erg::session

@@ -19,7 +19,7 @@
 namespace erg::session {
 
 /// What a crash left behind.
-struct LostSession {
+struct CrashedSession {
   std::filesystem::path folder;
   std::string title;     ///< of the first run
   std::string saved_at;  ///< "2026-03-01 14:05:12", local
@@ -47,18 +47,18 @@ class Session {
   /// Leaves the folder for the next start to find, as a crash would: for a display that is lost.
   void keep() { keep_ = true; }
   /// The runs of a lost session are this one's now: its folder goes as soon as this session has saved them itself.
-  void replaces(const LostSession& session);
+  void replaces(const CrashedSession& session);
   /// What went wrong with the last background save; "" if nothing. Asking clears it.
   std::string take_problem();
 
   /// Sessions of programs that are gone, latest first. One whose session.json is missing or damaged is offered by
   /// its checkpoints; folders in which nothing was saved are removed.
-  static std::vector<LostSession> lost(const std::filesystem::path& state_folder);
+  static std::vector<CrashedSession> lost(const std::filesystem::path& state_folder);
   /// The runs of one, for Runner::resume. Where session.json is missing or damaged, the checkpoints of the save with
   /// the highest number. Throws InputError for a damaged checkpoint, or where there is none.
-  static std::vector<io::Saved> recover(const LostSession& session);
+  static std::vector<io::Saved> recover(const CrashedSession& session);
   /// Removes what a crash left.
-  static void discard(const LostSession& session);
+  static void discard(const CrashedSession& session);
 
  private:
   std::filesystem::path folder_;

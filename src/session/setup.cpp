@@ -136,7 +136,7 @@ std::vector<Mistake> Setup::mistakes() const {
     if (path.empty()) {
       found.push_back({picture->label, "no picture is chosen", "choose one"});
     } else if (!std::filesystem::is_regular_file(path, failed)) {
-      found.push_back({picture->label, "there is no picture " + in_quotes(path), "choose another"});
+      found.push_back({picture->label, "there is no picture " + quote(path), "choose another"});
     }
   }
   return found;

@@ -82,7 +82,7 @@ class Setup {
   bool fresh_seed() const { return fresh_seed_; }
   void set_fresh_seed(bool fresh) { fresh_seed_ = fresh; }
 
-  /// What the values mean on the grid, in words of the model ("repose 33.7 deg: a step of 3 slabs stands").
+  /// What the values mean on the grid, in words of the model ("repose 33.7°: a step of 3 slabs stands").
   std::vector<std::string> explanations() const;
   /// What stands against CREATE: pictures that are missing. Each value by itself is always right.
   std::vector<Mistake> mistakes() const;

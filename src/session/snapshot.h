@@ -66,8 +66,8 @@ struct Snapshot {
   std::vector<RunSnapshot> runs;  ///< none before the first create; two to four when comparing
   double steps_per_second = 0;    ///< measured over the last second or so; 0 unless running
   double polls_per_second = 0;    ///< the same, of all runs together
-  WindRecord blown;               ///< the wind of all steps up to here, as it blew (Lockstep::blown)
-  double seconds_worked = 0;      ///< s of steps that led to what stands here now (Lockstep::worked)
+  WindRecord blown;               ///< the wind of all steps up to here, as it blew (RunGroup::blown)
+  double seconds_worked = 0;      ///< s of steps that led to what stands here now (RunGroup::worked)
   double speed_limit = 0;         ///< steps a second that were asked for; 0: unlimited
   std::int64_t goal_start = 0;    ///< step at which "run N steps" began
   std::int64_t goal = -1;         ///< step at which it pauses; -1: none

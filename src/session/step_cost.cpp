@@ -13,7 +13,7 @@ using sim::Config;
 
 namespace {
 
-constexpr std::int64_t most_cells = 64;  // a side, of the land that is measured
+constexpr std::int64_t most_cells = 64;  // a side, of the terrain that is measured
 
 int threads_of(const Config& config) {
   if (config.run.text("executor") == "serial") return 1;
@@ -24,7 +24,7 @@ int threads_of(const Config& config) {
 
 }  // namespace
 
-double times_the_measured_land(const Config& config) {
+double times_the_measured_terrain(const Config& config) {
   double times = 1;
   for (const char* const side : {"nx", "ny"}) {
     const std::int64_t wanted = config.grid.integer(side);
@@ -43,7 +43,7 @@ std::optional<double> measure_step(const Config& config) {
     simulation.step();  // whatever is made once
     const Clock::time_point begin = Clock::now();
     simulation.step();
-    return std::chrono::duration<double>(Clock::now() - begin).count() * times_the_measured_land(config);
+    return std::chrono::duration<double>(Clock::now() - begin).count() * times_the_measured_terrain(config);
   } catch (const std::exception&) {
     return std::nullopt;  // CREATE will say what stands against it
   }

@@ -8,11 +8,11 @@
 
 namespace erg::session {
 
-/// How many times more cells a land has for each thread than the one that is measured.
-double times_the_measured_land(const sim::Config& config);
+/// How many times more cells a terrain has for each thread than the one that is measured.
+double times_the_measured_terrain(const sim::Config& config);
 
-/// Seconds that a step of this config takes here: measured on a land of at most 64 x 64 cells, times
-/// times_the_measured_land. None where such a land cannot be made. Takes some hundredths of a second
+/// Seconds that a step of this config takes here: measured on a terrain of at most 64 x 64 cells, times
+/// times_the_measured_terrain. None where such a terrain cannot be made. Takes some hundredths of a second
 /// for the slowest models.
 std::optional<double> measure_step(const sim::Config& config);
 

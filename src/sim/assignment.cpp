@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/exact_text.h"
-#include "core/joined.h"
+#include "core/join.h"
+#include "core/number_text.h"
 #include "models/model.h"
 #include "sim/config.h"
 
@@ -58,10 +58,9 @@ class Assignment {
     }
     if (const auto row = row_key(key_)) return set_in_row(*row);
     const std::vector<std::string> matches = full_keys_matching();
-    if (matches.empty()) throw InputError(place_, "unknown key " + in_quotes(key_), suggestion(key_, possible_keys()));
+    if (matches.empty()) throw InputError(place_, "unknown key " + quote(key_), suggestion(key_, possible_keys()));
     if (matches.size() > 1) {
-      throw InputError(place_, in_quotes(key_) + " is found in several groups",
-                       "say which: " + joined(matches, " or "));
+      throw InputError(place_, quote(key_) + " is found in several groups", "say which: " + join(matches, " or "));
     }
     set(matches.front());
   }
@@ -117,7 +116,7 @@ class Assignment {
   void set_model() {
     const std::vector<std::string> keys = model_keys();
     if (std::ranges::find(keys, value_) == keys.end()) {
-      throw InputError(place_, "unknown model " + in_quotes(value_), suggestion(value_, keys));
+      throw InputError(place_, "unknown model " + quote(value_), suggestion(value_, keys));
     }
     change_model(config_, value_);
   }
@@ -151,7 +150,7 @@ class Assignment {
     const Declarations columns = season_columns();
     const Parameter* column = columns.find(key);
     if (column == nullptr) {
-      throw InputError(place_, "unknown key " + in_quotes(key), suggestion(key, keys_of(columns)));
+      throw InputError(place_, "unknown key " + quote(key), suggestion(key, keys_of(columns)));
     }
     const Channel* channel = find_channel(key);
     if (channel != nullptr) check_used(*channel);
@@ -173,14 +172,13 @@ class Assignment {
         ParameterValues& row = list.rows[key.number - 1];
         const Parameter* column = row.find(key.column);
         if (column == nullptr) {
-          throw InputError(place_, "unknown key " + in_quotes(key.column),
-                           suggestion(key.column, keys_of(row.declared())));
+          throw InputError(place_, "unknown key " + quote(key.column), suggestion(key.column, keys_of(row.declared())));
         }
         row.set(key.column, parse_value(*column, value_, place_));
         return values.set(parameter.key, std::move(list));
       }
     }
-    throw InputError(place_, in_quotes(key.list) + " is no list", "expected wind.seasons");
+    throw InputError(place_, quote(key.list) + " is no list", "expected wind.seasons");
   }
 
   void check_number(const RowKey& key, std::size_t count, const std::string& row_name) const {

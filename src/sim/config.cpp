@@ -203,7 +203,7 @@ const Binding<RunValues>& run_binding() {
 Parameters run_parameters() { return run_binding().declarations(); }
 
 Mistake not_asked_for(const std::string& key, const std::string& model_key) {
-  return {"", in_quotes(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
+  return {"", quote(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
 }
 
 Regime starting_wind(const ModelStart& start) {

@@ -36,7 +36,7 @@ class Simulation {
   const Config& config() const { return config_; }
   const ModelType& model_type() const { return *type_; }
   const Model& model() const { return *model_; }
-  /// Keeps the ways of about so many grains of every step to come (Model::keep_paths), under other configs too.
+  /// Keeps the trajectories of about so many grains of every step to come (Model::keep_paths), under other configs too.
   void keep_paths(int count);
   /// From the next step on counts how many quanta are lifted from each cell, for `flux`; false: no longer. Steps take
   /// somewhat longer; what they do does not change.

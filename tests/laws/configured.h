@@ -9,7 +9,7 @@
 
 namespace erg::test {
 
-/// A config of the model with these settings (as for `--set`), for lands so small that one thread is the fastest.
+/// A config of the model with these settings (as for `--set`), for terrains so small that one thread is the fastest.
 inline sim::Config configured(const std::string& model, const std::vector<std::string>& settings) {
   sim::Config config(model);
   sim::set_from_text(config, "run.threads=1");

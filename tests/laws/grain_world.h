@@ -15,8 +15,6 @@
 #include "models/grains/grain_law.h"
 #include "models/grains/grains.h"
 #include "sim/make_executor.h"
-#include "models/grains/grain_law.h"
-#include "models/grains/grains.h"
 #include "world.h"
 
 namespace erg::test {

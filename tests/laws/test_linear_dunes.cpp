@@ -35,7 +35,7 @@ TEST(LinearDunes, RunAlongTheMeanOfTwoWindsAndAreLong) {
   ASSERT_TRUE(crests.crest_bearing);
   EXPECT_NEAR(*crests.crest_bearing, 90, 10);
   EXPECT_GT(crests.alignment, 0.7);
-  EXPECT_GE(analysis::find_dunes(simulation.terrain(), 270).endless, 1) << "a ridge longer than the land";
+  EXPECT_GE(analysis::find_dunes(simulation.terrain(), 270).endless, 1) << "a ridge longer than the terrain";
 }
 
 TEST(LinearDunes, OneWindMakesNone) {

@@ -53,7 +53,7 @@ TEST(Plants, GrowByTheCurveOfTheYearlyBalance) {
   }
 }
 
-/// How much sand lies on three islands after it blew over them and what is around, over the mean of the land. Grass
+/// How much sand lies on three islands after it blew over them and what is around, over the mean of the terrain. Grass
 /// stands there with this rho.
 double caught_share(const std::string& rho) {
   Simulation simulation(
@@ -151,7 +151,8 @@ TEST(Plants, MakeNebkhasHigherAndLongerThanBareDunes) {
 }
 
 TEST(Plants, TurnNebkhasIntoParabolicDunesWithArmsUpwind) {
-  // Single dunes differ much, so the mean over seeds; the control is the same land without plants, by the same outline.
+  // Single dunes differ much, so the mean over seeds; the control is the same terrain without plants, by the same
+  // outline.
   std::vector<std::string> settings{"grid.nx=96",      "grid.ny=96",       "scene.sand=3",
                                     "wind.strength=5", "run.executor=cpu", "parameters.mesquite_low=0"};
   EXPECT_LT(dunes_grown(settings, 1500, 12, 6).arms, -0.3);

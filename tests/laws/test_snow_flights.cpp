@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "sim/make_executor.h"
 #include "models/snow/snow_machine.h"
+#include "sim/make_executor.h"
 #include "sim/simulation.h"
 #include "world.h"
 

@@ -1,4 +1,4 @@
-// A small land for pictures, and ways to compare pictures.
+// A small terrain for pictures, and ways to compare pictures.
 #pragma once
 
 #include <filesystem>

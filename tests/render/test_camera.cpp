@@ -17,9 +17,9 @@ using render::PicturePoint;
 
 namespace {
 
-const render::LandBox land{400, 300, 0, 12};
+const render::TerrainBox box{400, 300, 0, 12};
 
-// Where a land point appears in the picture.
+// Where a terrain point appears in the picture.
 PicturePoint seen(const Camera& camera, const Eigen::Vector3d& point, double aspect = 1.5) {
   const Eigen::Vector4d clip =
       render::projection_matrix(camera, aspect, 1000) * render::view_matrix(camera) * point.homogeneous();
@@ -28,17 +28,17 @@ PicturePoint seen(const Camera& camera, const Eigen::Vector3d& point, double asp
 
 TEST(Camera, PresetsLookAtTheMiddle) {
   for (const std::string& name : camera_presets()) {
-    const PicturePoint middle = seen(camera_preset(name, land, 1.5), land.middle());
+    const PicturePoint middle = seen(camera_preset(name, box, 1.5), box.middle());
     EXPECT_NEAR(middle.x, 0, 1e-12) << name;
     EXPECT_NEAR(middle.y, 0, 1e-12) << name;
   }
-  EXPECT_THROW(camera_preset("obligue", land, 1.5), InputError);
+  EXPECT_THROW(camera_preset("obligue", box, 1.5), InputError);
 }
 
 TEST(Camera, TopViewHasNorthUpAndEastRight) {
-  const Camera top = camera_preset("top", land, 4.0 / 3);
+  const Camera top = camera_preset("top", box, 4.0 / 3);
   const PicturePoint corner = seen(top, {400, 300, 6}, 4.0 / 3);
-  EXPECT_NEAR(corner.x, 1, 1e-9) << "the land fills the picture";
+  EXPECT_NEAR(corner.x, 1, 1e-9) << "the terrain fills the picture";
   EXPECT_NEAR(corner.y, 1, 1e-9);
 }
 
@@ -52,7 +52,7 @@ TEST(Camera, StandsWhereItsBearingSays) {
 
 TEST(Camera, SightMeetsWhatIsSeenThere) {
   for (const std::string& name : camera_presets()) {
-    const Camera camera = camera_preset(name, land, 1.5);
+    const Camera camera = camera_preset(name, box, 1.5);
     const PicturePoint point{0.4, -0.3};
     const render::Sight line = render::sight(camera, point, 1.5);
     const PicturePoint back = seen(camera, line.from + 1.1 * camera.distance * line.direction);
@@ -63,7 +63,7 @@ TEST(Camera, SightMeetsWhatIsSeenThere) {
 
 TEST(Camera, ZoomKeepsThePointUnderTheCursor) {
   for (const std::string& name : camera_presets()) {
-    Camera camera = camera_preset(name, land, 1.5);
+    Camera camera = camera_preset(name, box, 1.5);
     const Eigen::Vector3d point(120, 200, 5);
     const PicturePoint before = seen(camera, point);
     const double distance = camera.distance;
@@ -75,7 +75,7 @@ TEST(Camera, ZoomKeepsThePointUnderTheCursor) {
 }
 
 TEST(Camera, OrbitKeepsTargetAndDistanceAndStopsAtThePoles) {
-  Camera camera = camera_preset("oblique", land, 1.5);
+  Camera camera = camera_preset("oblique", box, 1.5);
   const Camera before = camera;
   orbit(camera, -500, 20);
   EXPECT_EQ(camera.target, before.target);
@@ -89,8 +89,8 @@ TEST(Camera, OrbitKeepsTargetAndDistanceAndStopsAtThePoles) {
 }
 
 TEST(Camera, PanMovesByTheShareOfThePicture) {
-  Camera camera = camera_preset("top", land, 1.5);
-  const Eigen::Vector3d point = land.middle();
+  Camera camera = camera_preset("top", box, 1.5);
+  const Eigen::Vector3d point = box.middle();
   render::pan(camera, 0.1, 0.2);
   const PicturePoint after = seen(camera, point);
   EXPECT_NEAR(after.y, -2 * 0.2, 1e-9) << "the picture is 2 high";
@@ -98,11 +98,11 @@ TEST(Camera, PanMovesByTheShareOfThePicture) {
 }
 
 TEST(Camera, FlyingMovesTheEyeAlongTheView) {
-  Camera camera = camera_preset("oblique", land, 1.5);
+  Camera camera = camera_preset("oblique", box, 1.5);
   const Eigen::Vector3d before = eye(camera);
   render::fly(camera, 30, 0, 0);
   EXPECT_NEAR((eye(camera) - before).norm(), 30, 1e-9);
-  EXPECT_NEAR((eye(camera) - before).dot((land.middle() - before).normalized()), 30, 1e-9);
+  EXPECT_NEAR((eye(camera) - before).dot((box.middle() - before).normalized()), 30, 1e-9);
   const Eigen::Vector3d stands = eye(camera);
   render::look_around(camera, 25, -3);
   EXPECT_NEAR((eye(camera) - stands).norm(), 0, 1e-9) << "looking round moves nothing";

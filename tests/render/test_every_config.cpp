@@ -54,7 +54,7 @@ TEST(EveryConfig, IsLoadedRunAndDrawn) {
     render::Look look;
     look.legend = false;
     const render::TerrainView view = view_of(terrain);
-    return renderer.draw(view, look, render::camera_preset("top", Renderer::land_of(view, look), 1), {80, 80, 1})
+    return renderer.draw(view, look, render::camera_preset("top", Renderer::box_of(view, look), 1), {80, 80, 1})
         .opaque();
   };
   for (const Preset& preset : presets) {

@@ -55,7 +55,7 @@ const std::vector<Shot>& shots() {
   return all;
 }
 
-/// What leaves each cell of the land in some steps after Werner.
+/// What leaves each cell of the terrain in some steps after Werner.
 Field flux_of(Terrain terrain) {
   sim::FluxWatch watch(terrain.extent());
   const ModelType& type = find_model("werner");
@@ -80,7 +80,7 @@ RgbImage shoot(const Shot& shot) {
   Look look;
   shot.change(look);
   Renderer renderer;
-  const picture::Camera camera = render::camera_preset(shot.camera, Renderer::land_of(view, look), 4.0 / 3);
+  const picture::Camera camera = render::camera_preset(shot.camera, Renderer::box_of(view, look), 4.0 / 3);
   return renderer.draw(view, look, camera, {160, 120, 2}).opaque();
 }
 

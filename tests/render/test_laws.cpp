@@ -18,8 +18,8 @@ using picture::RgbImage;
 using render::camera_preset;
 using render::Look;
 using render::Picture;
-using render::RenderEffort;
 using render::Renderer;
+using render::RenderQuality;
 using render::TerrainView;
 
 namespace {
@@ -28,9 +28,9 @@ constexpr Colour magenta{1, 0, 0xee / 255.0f};
 
 class Pictures : public testing::Test {
  protected:
-  // A top view of the land in which a cell is `zoom` pixels wide.
+  // A top view of the terrain in which a cell is `zoom` pixels wide.
   Picture top_view(const TerrainView& view, const Look& look, int zoom = 2) {
-    const Camera camera = camera_preset("top", Renderer::land_of(view, look), 1);
+    const Camera camera = camera_preset("top", Renderer::box_of(view, look), 1);
     return renderer_.draw(view, look, camera, {zoom * view.terrain->nx(), zoom * view.terrain->ny(), 1});
   }
 
@@ -74,7 +74,7 @@ TEST_F(Pictures, SceneAndCameraTurnedTogetherGiveTheSamePicture) {
     look.tufts = false;  // they stand where chance puts them
     look.legend = false;
     TerrainView view = view_of(terrain);
-    Camera camera = camera_preset("oblique", Renderer::land_of(view, look), 4.0 / 3);
+    Camera camera = camera_preset("oblique", Renderer::box_of(view, look), 4.0 / 3);
     const RgbImage before = renderer_.draw(view, look, camera, {160, 120, 2}).opaque();
     const double none_turned = difference(before, RgbImage(160, 120, {0.5f, 0.5f, 0.5f})).mean;
 
@@ -190,7 +190,7 @@ TEST_F(Pictures, ValuesThatAreNoNumbersAreMagentaAndNoted) {
   EXPECT_EQ(drawn, 400);
 }
 
-TEST_F(Pictures, AnEmptyFieldAndAnEmptyLandAreDrawnInMagenta) {
+TEST_F(Pictures, AnEmptyFieldAndAnEmptyTerrainAreDrawnInMagenta) {
   Terrain terrain = landscape();
   terrain.edit_fields()[1].values = {};
   const Picture field = top_view(view_of(terrain), values("age"));
@@ -199,9 +199,9 @@ TEST_F(Pictures, AnEmptyFieldAndAnEmptyLandAreDrawnInMagenta) {
   EXPECT_LT(difference(field.opaque(), RgbImage(field.image.width, field.image.height, magenta)).largest, 25);
 
   const Terrain nothing;
-  const Picture land = renderer_.draw(view_of(nothing), Look{}, Camera{}, {40, 30, 1});
-  ASSERT_EQ(land.notes.size(), 1u);
-  EXPECT_EQ(difference(land.opaque(), RgbImage(40, 30, magenta)).largest, 0);
+  const Picture blank = renderer_.draw(view_of(nothing), Look{}, Camera{}, {40, 30, 1});
+  ASSERT_EQ(blank.notes.size(), 1u);
+  EXPECT_EQ(difference(blank.opaque(), RgbImage(40, 30, magenta)).largest, 0);
 }
 
 // The slope along the wind, as the picture shows it: degrees in the middle of each pixel of one row.
@@ -245,7 +245,7 @@ TEST_F(Pictures, TilesOfDifferentDetailLeaveNoGaps) {
   EXPECT_EQ(holes, 0);
 }
 
-TEST_F(Pictures, FarLandHasFewerTriangles) {
+TEST_F(Pictures, FarTerrainHasFewerTriangles) {
   const Terrain terrain = landscape();
   Look look;
   Camera camera{.target = {48, 48, 2}, .bearing = 180, .altitude = 40, .distance = 120};
@@ -258,10 +258,10 @@ TEST_F(Pictures, FarLandHasFewerTriangles) {
 
 TEST_F(Pictures, LargeGridsAreDrawnInBlocksInAHurry) {
   const Terrain terrain({300, 200}, 1.0, slab);
-  RenderEffort effort;
-  effort.largest_side = 128;
-  effort.tiled = false;
-  renderer_.set_effort(effort);
+  RenderQuality quality;
+  quality.largest_side = 128;
+  quality.tiled = false;
+  renderer_.set_quality(quality);
   const Picture picture = top_view(view_of(terrain), values("elevation"), 1);
   ASSERT_EQ(picture.notes.size(), 1u);
   EXPECT_NE(picture.notes[0].find("3 x 3"), std::string::npos) << picture.notes[0];
@@ -269,7 +269,7 @@ TEST_F(Pictures, LargeGridsAreDrawnInBlocksInAHurry) {
 }
 
 // Four ridges side by side.
-Terrain long_land() {
+Terrain long_terrain() {
   const Terrain part = ridges();
   Terrain terrain({2 * side, 64}, 1.0, slab);
   for (int y = 0; y < terrain.ny(); ++y) {
@@ -278,17 +278,17 @@ Terrain long_land() {
   return terrain;
 }
 
-TEST_F(Pictures, ALandLargerThanATextureIsCutIntoSheetsThatDoNotShow) {
-  const Terrain terrain = long_land();
+TEST_F(Pictures, ATerrainLargerThanATextureIsCutIntoSheetsThatDoNotShow) {
+  const Terrain terrain = long_terrain();
   Look look;
   look.legend = false;
-  RenderEffort effort;
-  effort.largest_map = 2 * side;  // one texel a cell, cut or not
+  RenderQuality quality;
+  quality.largest_map = 2 * side;  // one texel a cell, cut or not
   for (const std::string camera : {"top", "block"}) {
     const auto draw = [&](int largest_side) {
-      effort.largest_side = largest_side;
-      renderer_.set_effort(effort);
-      const Camera stands = camera_preset(camera, Renderer::land_of(view_of(terrain), look), 2);
+      quality.largest_side = largest_side;
+      renderer_.set_quality(quality);
+      const Camera stands = camera_preset(camera, Renderer::box_of(view_of(terrain), look), 2);
       return renderer_.draw(view_of(terrain), look, stands, {384, 192, 1}).opaque();
     };
     const RgbImage whole = draw(2 * side);
@@ -303,10 +303,10 @@ TEST_F(Pictures, ALandLargerThanATextureIsCutIntoSheetsThatDoNotShow) {
 }
 
 TEST_F(Pictures, FarSheetsAreCoarser) {
-  const Terrain terrain = long_land();
-  RenderEffort effort;
-  effort.largest_side = 128;
-  renderer_.set_effort(effort);
+  const Terrain terrain = long_terrain();
+  RenderQuality quality;
+  quality.largest_side = 128;
+  renderer_.set_quality(quality);
   const Look look;
   Camera camera{.target = {10, 32, 2}, .bearing = 270, .altitude = 30, .distance = 40};
   renderer_.draw(view_of(terrain), look, camera, {64, 48, 1});
@@ -322,14 +322,14 @@ TEST_F(Pictures, WhatChangesInATileIsComputedThereAndLooksLikeAllComputedAnew) {
   for (int y = 0; y < 320; ++y) {
     for (int x = 0; x < 320; ++x) terrain.edit_mobile()(x, y) = 6 + static_cast<int>(mix64(x + 320 * y) % 3);
   }
-  RenderEffort effort;
-  effort.largest_map = 320;
-  effort.sky_steps = 6;
+  RenderQuality quality;
+  quality.largest_map = 320;
+  quality.sky_steps = 6;
   Look look;
   look.legend = false;
   const auto draw = [&](Renderer& renderer) {
-    renderer.set_effort(effort);
-    const Camera camera = camera_preset("top", Renderer::land_of(view_of(terrain), look), 1);
+    renderer.set_quality(quality);
+    const Camera camera = camera_preset("top", Renderer::box_of(view_of(terrain), look), 1);
     return renderer.draw(view_of(terrain), look, camera, {320, 320, 1}).opaque();
   };
   terrain.edit_mobile()(100, 100) = 20;  // so that the highest point stays
@@ -346,13 +346,13 @@ TEST_F(Pictures, WhatChangesInATileIsComputedThereAndLooksLikeAllComputedAnew) {
   EXPECT_EQ(renderer_.computed_texels() - all, 2 * 100 * 100);
 }
 
-TEST_F(Pictures, TransparentPicturesHaveNothingBehindTheLand) {
+TEST_F(Pictures, TransparentPicturesHaveNothingBehindTheTerrain) {
   const Terrain terrain = landscape();
   Look look;
   look.transparent = true;
   const TerrainView view = view_of(terrain);
   const Picture picture =
-      renderer_.draw(view, look, camera_preset("side", Renderer::land_of(view, look), 2), {160, 80, 2});
+      renderer_.draw(view, look, camera_preset("side", Renderer::box_of(view, look), 2), {160, 80, 2});
   EXPECT_EQ(picture.image.pixels[3], 0) << "upper left corner";
   EXPECT_EQ(picture.image.pixels[4 * (40 * 160 + 80) + 3], 255) << "middle";
 }
@@ -374,7 +374,7 @@ TEST_F(Pictures, TheScaleBarStandsInTopViewsOnly) {
   view.wind.reset();
   const auto writing = [&](const std::string& preset) {
     Look look;
-    const Camera camera = camera_preset(preset, Renderer::land_of(view, look), 1);
+    const Camera camera = camera_preset(preset, Renderer::box_of(view, look), 1);
     const RgbImage with = renderer_.draw(view, look, camera, {240, 240, 1}).opaque();
     look.legend = false;
     return difference(with, renderer_.draw(view, look, camera, {240, 240, 1}).opaque()).largest;

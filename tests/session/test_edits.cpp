@@ -59,7 +59,7 @@ TEST_F(EditsTest, UndoRestoresTheExactStateAndRedoTheEdit) {
   runner.run(7);
   const auto before = still();
   const std::uint64_t hash_before = hash();
-  for (int dab = 0; dab < 4; ++dab) runner.paint(0, {.x = 10.0 + dab, .y = 10, .radius = 4, .amount = 9}, 1);
+  for (int stamp = 0; stamp < 4; ++stamp) runner.paint(0, {.x = 10.0 + stamp, .y = 10, .radius = 4, .amount = 9}, 1);
   const std::uint64_t hash_painted = hash();
   ASSERT_NE(hash_painted, hash_before);
   EXPECT_EQ(still()->undo_count, 1u) << "one stroke";
@@ -84,8 +84,8 @@ TEST_F(EditsTest, AStrokeOnALandThatRunsIsOneUndo) {
   runner.create({small_config()});
   runner.run(4);
   const std::uint64_t hash_before = hash();
-  for (int dab = 0; dab < 5; ++dab) {
-    runner.paint(0, {.x = 8.0 + dab, .y = 10, .radius = 4, .amount = 9}, 1);
+  for (int stamp = 0; stamp < 5; ++stamp) {
+    runner.paint(0, {.x = 8.0 + stamp, .y = 10, .radius = 4, .amount = 9}, 1);
     runner.step();
   }
   EXPECT_EQ(still()->undo_count, 1u);
@@ -251,7 +251,7 @@ TEST_F(EditsTest, PaintingBeyondTheHighestGroundIsRefused) {
   EXPECT_EQ(log.count(LogLevel::error), 1u);
 }
 
-TEST_F(EditsTest, ADabReachesAcrossATorusAndStopsAtAnOpenEdge) {
+TEST_F(EditsTest, AStampReachesAcrossATorusAndStopsAtAnOpenEdge) {
   for (const std::string boundary : {"torus", "open"}) {
     Config config = small_config();
     config.grid.set("boundary", boundary);

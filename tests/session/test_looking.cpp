@@ -112,7 +112,7 @@ TEST(Probe, ReadsACellOfAPlane) {
   EXPECT_NEAR(reading.slope, std::atan(std::sqrt(5.0) * 0.25) * 180 / M_PI, 1e-9);
   EXPECT_NEAR(reading.uphill, std::atan2(1, 2) * 180 / M_PI, 1e-9);
   EXPECT_NEAR(read_cell(plane(), {0, 0}).slope, reading.slope, 1e-9) << "at the open edge too";
-  EXPECT_EQ(reading.text(), "cell 4, 5   height 7.00 m   0 slabs, 0.00 m thick   slope 29 deg");
+  EXPECT_EQ(reading.text(), "cell 4, 5   height 7.00 m   0 slabs, 0.00 m thick   slope 29°");
 }
 
 TEST(Probe, CutsASectionThroughAPlane) {

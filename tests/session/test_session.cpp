@@ -10,9 +10,9 @@
 #include "../unit/message.h"
 #include "../unit/mutated.h"
 #include "../unit/temporary_folder.h"
+#include "session/app_model.h"
 #include "session/runner.h"
 #include "session/session.h"
-#include "session/studio.h"
 #include "small_config.h"
 #include "snapshot_of.h"
 #include "torn_session.h"
@@ -21,10 +21,10 @@ namespace erg {
 
 using io::Saved;
 using io::write_checkpoint;
-using session::LostSession;
+using session::AppModel;
+using session::CrashedSession;
 using session::Session;
 using session::Snapshot;
-using session::Studio;
 using sim::Config;
 using sim::Simulation;
 
@@ -77,7 +77,7 @@ TEST(Session, AKillAtAnyMomentLosesNothing) {
     std::this_thread::sleep_for(pause);
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
-    const std::vector<LostSession> lost = Session::lost(folder.path());
+    const std::vector<CrashedSession> lost = Session::lost(folder.path());
     ASSERT_EQ(lost.size(), 1u);
     EXPECT_EQ(lost[0].title, "left behind");
     EXPECT_EQ(lost[0].runs, 1u);
@@ -139,7 +139,7 @@ TEST(Session, AFolderThatCannotBeWrittenIsSaid) {
 TEST(Session, ADamagedCheckpointIsRefused) {
   const TemporaryFolder folder;
   leave_behind(folder.path());
-  const std::vector<LostSession> lost = Session::lost(folder.path());
+  const std::vector<CrashedSession> lost = Session::lost(folder.path());
   ASSERT_EQ(lost.size(), 1u);
   const fs::path checkpoint = lost[0].folder / "run1-1.checkpoint";
   std::string bytes = read_bytes(checkpoint);
@@ -156,7 +156,7 @@ TEST(Session, ADamagedListLosesNoCheckpoint) {
   const std::string checkpoint = read_bytes(left / "run1-1.checkpoint");
   for (const std::string& damaged : {std::string(), list.substr(0, list.size() / 2), std::string(list.size(), '\0')}) {
     write_bytes(left / "session.json", damaged);
-    const std::vector<LostSession> lost = Session::lost(folder.path());
+    const std::vector<CrashedSession> lost = Session::lost(folder.path());
     ASSERT_EQ(lost.size(), 1u);
     EXPECT_EQ(lost[0].runs, 1u);
     EXPECT_EQ(read_bytes(left / "run1-1.checkpoint"), checkpoint);
@@ -178,7 +178,7 @@ TEST(Session, AMissingListIsOfferedByItsCheckpoints) {
   write_checkpoint(left / newer, simulation.config(), simulation.state());
   write_checkpoint(left / "run2-12.checkpoint", simulation.config(), simulation.state());
   write_checkpoint(left / "mine-99.checkpoint", titled(3), Simulation(titled(3)).state());
-  const std::vector<LostSession> lost = Session::lost(folder.path());
+  const std::vector<CrashedSession> lost = Session::lost(folder.path());
   ASSERT_EQ(lost.size(), 1u);
   EXPECT_EQ(lost[0].runs, 2u);
   EXPECT_NE(lost[0].saved_at, "(unknown)");
@@ -195,7 +195,7 @@ TEST(Session, AMissingListIsOfferedByItsCheckpoints) {
 }
 
 TEST(Session, WhereNoneCanBeKeptIsSaid) {
-  Studio homeless({{}, {}, {}});
+  AppModel homeless({{}, {}, {}});
   EXPECT_NE(homeless.why_not_kept().find("XDG_STATE_HOME"), std::string::npos);
   EXPECT_EQ(homeless.rescue(), "there was nothing to save");
   homeless.setup().replace(titled(1));
@@ -203,7 +203,7 @@ TEST(Session, WhereNoneCanBeKeptIsSaid) {
   homeless.runner().wait_for_commands();
   EXPECT_TRUE(homeless.rescue().starts_with("the runs are lost")) << homeless.rescue();
   const TemporaryFolder folder;
-  Studio housed({{}, folder.path(), {}});
+  AppModel housed({{}, folder.path(), {}});
   EXPECT_EQ(housed.why_not_kept(), "");
 }
 
@@ -215,7 +215,7 @@ TEST(Session, AMutatedListIsOfferedAndNothingIsLost) {
   test::Mutator mutator(1);
   for (int number = 0; number < test::mutations(200); ++number) {
     write_bytes(left / "session.json", mutator.of(list));
-    const std::vector<LostSession> lost = Session::lost(folder.path());
+    const std::vector<CrashedSession> lost = Session::lost(folder.path());
     ASSERT_EQ(lost.size(), 1u) << number;
     message([&] { Session::recover(lost[0]); });
   }
@@ -225,19 +225,19 @@ TEST(Session, AMutatedListIsOfferedAndNothingIsLost) {
 TEST(Session, OneWhoseRunsCannotBeMadeStaysOnOffer) {
   const TemporaryFolder folder;
   test::leave_torn_session(folder.path(), titled(1));
-  Studio studio({{}, folder.path(), {}});
-  ASSERT_EQ(studio.lost_sessions().size(), 1u);
-  const fs::path lost = studio.lost_sessions().front().folder;
-  EXPECT_TRUE(studio.recover(lost)) << "it can be read";
-  studio.runner().wait_until_still();
-  studio.tick();
-  EXPECT_EQ(studio.now().activity, session::Activity::empty) << "runs of one comparison stand at one step";
-  EXPECT_GE(studio.log().count(session::LogLevel::error), 1u);
-  EXPECT_EQ(studio.setup().config(), Config());
-  EXPECT_TRUE(studio.take_failed_creation());
-  EXPECT_FALSE(studio.take_failed_creation()) << "told once";
-  EXPECT_EQ(studio.lost_sessions().size(), 1u);
-  studio.rescue();
+  AppModel app({{}, folder.path(), {}});
+  ASSERT_EQ(app.crashed_sessions().size(), 1u);
+  const fs::path lost = app.crashed_sessions().front().folder;
+  EXPECT_TRUE(app.recover(lost)) << "it can be read";
+  app.runner().wait_until_still();
+  app.tick();
+  EXPECT_EQ(app.now().activity, session::Activity::empty) << "runs of one comparison stand at one step";
+  EXPECT_GE(app.log().count(session::LogLevel::error), 1u);
+  EXPECT_EQ(app.setup().config(), Config());
+  EXPECT_TRUE(app.take_failed_creation());
+  EXPECT_FALSE(app.take_failed_creation()) << "told once";
+  EXPECT_EQ(app.crashed_sessions().size(), 1u);
+  app.rescue();
   EXPECT_TRUE(fs::exists(lost / "session.json"));
 }
 

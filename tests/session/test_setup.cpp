@@ -19,7 +19,7 @@ using session::Comparison;
 using session::measure_step;
 using session::Setup;
 using session::SetupRow;
-using session::times_the_measured_land;
+using session::times_the_measured_terrain;
 using session::wind_rose;
 using session::WindCycle;
 using session::WindEditor;
@@ -260,20 +260,20 @@ TEST(Setup, TitlesSpeakOfTheirModelOnly) {
   EXPECT_EQ(setup.config().title, "") << "the new one was given for the other model";
 }
 
-TEST(StepCost, IsFoundBeforeTheLandIsMade) {
+TEST(StepCost, IsFoundBeforeTheTerrainIsMade) {
   Config config("grains");
   config.run.set("executor", std::string("serial"));
   config.grid.set("nx", std::int64_t{64});
   config.grid.set("ny", std::int64_t{64});
-  EXPECT_DOUBLE_EQ(times_the_measured_land(config), 1);
+  EXPECT_DOUBLE_EQ(times_the_measured_terrain(config), 1);
   config.grid.set("nx", std::int64_t{512});
   config.grid.set("ny", std::int64_t{32});
-  EXPECT_DOUBLE_EQ(times_the_measured_land(config), 8);
+  EXPECT_DOUBLE_EQ(times_the_measured_terrain(config), 8);
   const std::optional<double> seconds = measure_step(config);
   ASSERT_TRUE(seconds.has_value());
   EXPECT_GT(*seconds, 0);
   config.scene.set("kind", std::string("image"));
-  EXPECT_EQ(measure_step(config), std::nullopt) << "without its picture no land can be made";
+  EXPECT_EQ(measure_step(config), std::nullopt) << "without its picture no terrain can be made";
 }
 
 TEST(Comparison, HasOneWindAndListsWhatDiffers) {

@@ -15,7 +15,7 @@
 #include "io/config/config_file.h"
 #include "io/files/atomic_file.h"
 #include "io/formats/camera_file.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "sim/memory.h"
 #include "small_config.h"
 #include "snapshot_of.h"
@@ -199,7 +199,7 @@ TEST(WindowFiles, ASessionThatNoLongerFitsKeepsWhatItHadSaved) {
     }
     EXPECT_NE(problem.find(".checkpoint: cannot write this file (File too large)"), std::string::npos) << problem;
   }
-  const session::LostSession left{.folder = session.folder(), .title = {}, .saved_at = {}, .step = 0, .runs = 1};
+  const session::CrashedSession left{.folder = session.folder(), .title = {}, .saved_at = {}, .step = 0, .runs = 1};
   const std::vector<Saved> saved = Session::recover(left);
   ASSERT_EQ(saved.size(), 1u);
   EXPECT_EQ(saved[0].config.run.integer("seed"), 1);
@@ -212,24 +212,24 @@ TEST(WindowFiles, ASessionThatNoLongerFitsKeepsWhatItHadSaved) {
 
 struct ShortMemory : testing::Test {
   TemporaryFolder folder;
-  session::Studio studio{session::StudioFolders{folder / "settings", folder / "state", {}}};
+  session::AppModel app{session::AppFolders{folder / "settings", folder / "state", {}}};
 
   void SetUp() override {
-    studio.setup().replace(small_config());
-    ASSERT_TRUE(studio.create());
+    app.setup().replace(small_config());
+    ASSERT_TRUE(app.create());
     settle();
-    studio.runner().step();
+    app.runner().step();
     settle();
   }
   void settle() {
-    studio.runner().wait_until_still();
-    studio.tick();
+    app.runner().wait_until_still();
+    app.tick();
   }
-  void expect_the_small_land() {
-    ASSERT_EQ(studio.now().runs.size(), 1u);
-    EXPECT_EQ(studio.now().runs[0].terrain->nx(), 48);
-    EXPECT_EQ(studio.now().step(), 1);
-    EXPECT_EQ(studio.now().activity, Activity::paused);
+  void expect_the_small_terrain() {
+    ASSERT_EQ(app.now().runs.size(), 1u);
+    EXPECT_EQ(app.now().runs[0].terrain->nx(), 48);
+    EXPECT_EQ(app.now().step(), 1);
+    EXPECT_EQ(app.now().activity, Activity::paused);
   }
 };
 
@@ -240,31 +240,31 @@ Config huge() {
   return config;
 }
 
-TEST_F(ShortMemory, AHugeLandIsRefusedInTheLogAndWhatWasThereStays) {
+TEST_F(ShortMemory, AHugeTerrainIsRefusedInTheLogAndWhatWasThereStays) {
   const LimitRestored restored(RLIMIT_AS);
   limit_memory(rlim_t{600} << 20);
-  studio.setup().replace(huge());
-  EXPECT_TRUE(studio.create());
+  app.setup().replace(huge());
+  EXPECT_TRUE(app.create());
   settle();
-  expect_the_small_land();
-  const std::string log = studio.log().text(LogLevel::error);
+  expect_the_small_terrain();
+  const std::string log = app.log().text(LogLevel::error);
   EXPECT_NE(log.find("grid: 16384 x 16384 cells need "), std::string::npos) << log;
   EXPECT_NE(log.find(" would fit"), std::string::npos) << log;
   EXPECT_EQ(log.find("bad_alloc"), std::string::npos) << log;
-  studio.runner().step();
+  app.runner().step();
   settle();
-  EXPECT_EQ(studio.now().step(), 2);
+  EXPECT_EQ(app.now().step(), 2);
 }
 
 TEST_F(ShortMemory, OpeningAHugeConfigKeepsWhatWasOpen) {
   write_config(folder / "huge.json", huge());
   const LimitRestored restored(RLIMIT_AS);
   limit_memory(rlim_t{600} << 20);
-  studio.open(folder / "huge.json");
+  app.open(folder / "huge.json");
   settle();
-  expect_the_small_land();
-  EXPECT_EQ(studio.setup().config().grid.integer("nx"), 48);
-  EXPECT_TRUE(studio.file().empty());
+  expect_the_small_terrain();
+  EXPECT_EQ(app.setup().config().grid.integer("nx"), 48);
+  EXPECT_TRUE(app.file().empty());
 }
 
 TEST_F(ShortMemory, AComparisonThatDoesNotFitIsRefusedWhereEachRunAloneWouldFit) {
@@ -277,12 +277,12 @@ TEST_F(ShortMemory, AComparisonThatDoesNotFitIsRefusedWhereEachRunAloneWouldFit)
   EXPECT_THROW(check_memory(four, 2, free), InputError);
   const LimitRestored restored(RLIMIT_AS);
   limit_memory(rlim_t{600} << 20);
-  studio.setup().replace(huge());
-  studio.comparison().add_copy_of(0);
-  EXPECT_TRUE(studio.create());
+  app.setup().replace(huge());
+  app.comparison().add_copy_of(0);
+  EXPECT_TRUE(app.create());
   settle();
-  expect_the_small_land();
-  EXPECT_GT(studio.log().count(LogLevel::error), 0u);
+  expect_the_small_terrain();
+  EXPECT_GT(app.log().count(LogLevel::error), 0u);
 }
 
 TEST_F(ShortMemory, ASavedRunThatFitsWithoutItsCopiesOnlyIsRefused) {
@@ -293,11 +293,11 @@ TEST_F(ShortMemory, ASavedRunThatFitsWithoutItsCopiesOnlyIsRefused) {
   const LimitRestored restored(RLIMIT_AS);
   limit_memory(rlim_t{550} << 20);
   EXPECT_NO_THROW(check_memory({&large, 1}, 0, sim::free_memory()));
-  studio.runner().resume(std::move(saved));
+  app.runner().resume(std::move(saved));
   settle();
-  expect_the_small_land();
-  EXPECT_NE(studio.log().text(LogLevel::error).find("grid: 4096 x 4096 cells need "), std::string::npos)
-      << studio.log().text();
+  expect_the_small_terrain();
+  EXPECT_NE(app.log().text(LogLevel::error).find("grid: 4096 x 4096 cells need "), std::string::npos)
+      << app.log().text();
 }
 
 TEST(Runner, AStepWithoutMemoryIsSaidInWordsAndTheRunsStandAsTheyWere) {

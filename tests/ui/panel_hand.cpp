@@ -11,8 +11,8 @@ namespace {
 
 ImVec2 size_of(const Panel& panel) { return panel.dock() == ui::Dock::dialog ? panel.size() : ImVec2{330, 1500}; }
 
-session::StudioFolders folders_in(const TemporaryFolder& folder,
-                                  const std::function<void(const TemporaryFolder&)>& prepare) {
+session::AppFolders folders_in(const TemporaryFolder& folder,
+                               const std::function<void(const TemporaryFolder&)>& prepare) {
   for (const char* name : {"settings", "state", "presets"}) std::filesystem::create_directory(folder / name);
   if (prepare) prepare(folder);
   return {folder / "settings", folder / "state", folder / "presets"};
@@ -29,45 +29,45 @@ Config small_config() {
 }
 
 PanelHand::PanelHand(std::unique_ptr<Panel> panel, const std::function<void(const TemporaryFolder&)>& prepare)
-    : studio(folders_in(folder, prepare)),
+    : app(folders_in(folder, prepare)),
       panel_(std::move(panel)),
       hand([this] { draw(); }, size_of(*panel_).x > 700 ? size_of(*panel_) : ImVec2{800, size_of(*panel_).y}) {}
 
 void PanelHand::draw() {
-  if (studio.settings().last_folder.empty()) studio.settings().last_folder = folder.path().string();
-  studio.tick();
-  ui::Desk desk{studio, land, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
-  desk.open = [this](const std::string& title) { opened.push_back(title); };
-  desk.close = [this](const std::string& title) { closed.push_back(title); };
-  desk.leave = [](const std::string&, session::Leaves, const std::function<void()>& act) { act(); };
+  if (app.settings().last_folder.empty()) app.settings().last_folder = folder.path().string();
+  app.tick();
+  ui::PanelContext context{app, pointer, ui::TerrainTool::camera, {}, {}, {}, {}, {}, {}};
+  context.open = [this](const std::string& title) { opened.push_back(title); };
+  context.close = [this](const std::string& title) { closed.push_back(title); };
+  context.leave = [](const std::string&, session::Leaves, const std::function<void()>& act) { act(); };
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size_of(*panel_));
   ImGui::Begin(panel_->title(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
   {
     const ui::WidgetScope scope(panel_->title());
-    panel_->draw(desk);
+    panel_->draw(context);
   }
   ImGui::End();
-  tool = desk.tool;
-  marks = desk.marks;
+  tool = context.tool;
+  marks = context.marks;
 }
 
 void PanelHand::create() {
-  studio.setup().replace(small_config());
-  studio.create();
+  app.setup().replace(small_config());
+  app.create();
   settle();
 }
 
 void PanelHand::settle() {
   hand.frames(2);
-  studio.runner().wait_for_commands();
+  app.runner().wait_for_commands();
   hand.frames(2);
 }
 
-void PanelHand::click_land(session::CellPlace cell) {
-  land = {cell, true, true};
+void PanelHand::click_terrain(session::CellPlace cell) {
+  pointer = {cell, true, true};
   hand.frames();
-  land = {cell, false, false};
+  pointer = {cell, false, false};
   hand.frames();
 }
 

@@ -8,23 +8,23 @@
 
 #include "../unit/temporary_folder.h"
 #include "harness.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 
 namespace erg::test {
 
 class PanelHand {
  public:
-  /// Docks are 330 pixels wide, dialogs as they ask. `prepare` may put files into the folder before the studio starts.
+  /// Docks are 330 pixels wide, dialogs as they ask. `prepare` may put files into the folder before the app starts.
   explicit PanelHand(std::unique_ptr<ui::Panel> panel, const std::function<void(const TemporaryFolder&)>& prepare = {});
 
   TemporaryFolder folder;  ///< settings, state and presets lie in it; also the folder that browsers open in
-  session::Studio studio;
-  ui::LandPointer land;             ///< given to the panel in the next frames
+  session::AppModel app;
+  ui::TerrainPointer pointer;       ///< given to the panel in the next frames
   std::vector<std::string> opened;  ///< titles that the panel asked to open
   std::vector<std::string> closed;
-  ui::LandTool tool = ui::LandTool::camera;  ///< that the panel asked for in the last frame
-  std::vector<ui::LandMark> marks;
+  ui::TerrainTool tool = ui::TerrainTool::camera;  ///< that the panel asked for in the last frame
+  std::vector<ui::TerrainMark> marks;
 
  private:
   std::unique_ptr<ui::Panel> panel_;
@@ -37,7 +37,7 @@ class PanelHand {
   /// Waits for the worker and draws what it has done.
   void settle();
   /// The left button goes down on a cell and up again.
-  void click_land(session::CellPlace cell);
+  void click_terrain(session::CellPlace cell);
 
  private:
   void draw();

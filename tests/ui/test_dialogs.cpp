@@ -29,9 +29,9 @@ TEST(GalleryPanel, OneClickAndDunesGrow) {
   panel.hand.click("GALLERY/star");
   panel.settle();  // it is made
   panel.settle();  // and set going
-  EXPECT_EQ(panel.studio.setup().config().title, "Star dunes");
-  ASSERT_TRUE(panel.studio.now().has_runs());
-  EXPECT_EQ(panel.studio.now().activity, Activity::running);
+  EXPECT_EQ(panel.app.setup().config().title, "Star dunes");
+  ASSERT_TRUE(panel.app.now().has_runs());
+  EXPECT_EQ(panel.app.now().activity, Activity::running);
   EXPECT_EQ(panel.closed, std::vector<std::string>{"GALLERY"});
 }
 
@@ -52,7 +52,7 @@ TEST(OpenPanel, OpensAFileFromItsFolder) {
   panel.hand.click("files/mine/");
   panel.hand.double_click("files/erg.json");
   panel.settle();
-  EXPECT_EQ(panel.studio.setup().config().title, "Mine");
+  EXPECT_EQ(panel.app.setup().config().title, "Mine");
   EXPECT_EQ(panel.closed, std::vector<std::string>{"OPEN"});
 }
 
@@ -67,29 +67,29 @@ TEST(OpenPanel, FiltersAndTakesATypedPath) {
   EXPECT_FALSE(panel.hand.has("files/barchans.json"));
   panel.hand.enter("OPEN/path", (panel.folder / "barchans.json").string());
   panel.settle();
-  EXPECT_EQ(panel.studio.setup().config().title, "Barchans");
+  EXPECT_EQ(panel.app.setup().config().title, "Barchans");
 }
 
 TEST(OpenPanel, AFileWithMistakesLeavesWhatWasOpenAndFillsTheLog) {
   PanelHand panel(make_open_panel(), [](const TemporaryFolder& folder) {
     write_bytes(folder / "wrong.json", "{\"erg\": 1,\n\"model\": \"momiji\",\n\"grid\": {\"nx\": -5}}");
   });
-  panel.studio.setup().set_title("before");
+  panel.app.setup().set_title("before");
   panel.hand.double_click("files/wrong.json");
   panel.settle();
-  EXPECT_EQ(panel.studio.setup().config().title, "before");
-  EXPECT_NE(panel.studio.log().text().find("wrong.json:3"), std::string::npos) << panel.studio.log().text();
+  EXPECT_EQ(panel.app.setup().config().title, "before");
+  EXPECT_NE(panel.app.log().text().find("wrong.json:3"), std::string::npos) << panel.app.log().text();
   EXPECT_EQ(panel.opened, std::vector<std::string>{"LOG"});
 }
 
 TEST(SavePanel, AddsTheEndingAndAsksBeforeAFileIsReplaced) {
   PanelHand panel(make_save_panel());
-  panel.studio.setup().set_title("My dunes");
+  panel.app.setup().set_title("My dunes");
   panel.hand.enter("SAVE AS/name", "mine");
   ASSERT_TRUE(std::filesystem::exists(panel.folder / "mine.json"));
   EXPECT_EQ(read_config(panel.folder / "mine.json").title, "My dunes");
 
-  panel.studio.setup().set_title("Other dunes");
+  panel.app.setup().set_title("Other dunes");
   panel.hand.enter("SAVE AS/name", "mine");
   EXPECT_EQ(read_config(panel.folder / "mine.json").title, "My dunes") << "it asks first";
   panel.hand.click("KEEP IT");
@@ -121,20 +121,20 @@ TEST(ExportPanel, WritesEveryFormat) {
     panel.hand.click("EXPORT/" + format.key);
     panel.hand.click("EXPORT/EXPORT");
     panel.hand.enter("EXPORT TO/name", "out-" + format.key);
-    ASSERT_NE(panel.studio.running_export(), nullptr) << format.key;
-    while (panel.studio.running_export()->state() == Export::State::writing) panel.hand.frames();
-    EXPECT_EQ(panel.studio.running_export()->state(), Export::State::done)
-        << format.key << ": " << panel.studio.running_export()->problem();
+    ASSERT_NE(panel.app.running_export(), nullptr) << format.key;
+    while (panel.app.running_export()->state() == Export::State::writing) panel.hand.frames();
+    EXPECT_EQ(panel.app.running_export()->state(), Export::State::done)
+        << format.key << ": " << panel.app.running_export()->problem();
     EXPECT_TRUE(std::filesystem::exists(panel.folder / ("out-" + format.key + format.ending))) << format.key;
   }
 }
 
 TEST(LogPanel, FiltersByLevelCopiesAndClears) {
   PanelHand panel(ui::make_log_panel());
-  panel.studio.log().clear();
-  panel.studio.log().information("a word");
-  panel.studio.log().warning("a warning");
-  panel.studio.log().error("an error");
+  panel.app.log().clear();
+  panel.app.log().information("a word");
+  panel.app.log().warning("a warning");
+  panel.app.log().error("an error");
   panel.hand.frames(2);
   panel.hand.click("LOG/ERRORS");
   panel.hand.click("LOG/COPY");
@@ -142,59 +142,59 @@ TEST(LogPanel, FiltersByLevelCopiesAndClears) {
   EXPECT_NE(copied.find("an error"), std::string::npos);
   EXPECT_EQ(copied.find("a warning"), std::string::npos);
   panel.hand.click("LOG/CLEAR");
-  EXPECT_TRUE(panel.studio.log().lines().empty());
+  EXPECT_TRUE(panel.app.log().lines().empty());
 }
 
 TEST(RecoveryPanel, ShowsNothingAfterAnOrderlyEnd) {
   PanelHand panel(make_recovery_panel());
-  const ui::Desk desk{panel.studio, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
-  EXPECT_FALSE(make_recovery_panel()->wanted(desk));
+  const ui::PanelContext context{panel.app, {}, ui::TerrainTool::camera, {}, {}, {}, {}, {}, {}};
+  EXPECT_FALSE(make_recovery_panel()->wanted(context));
 }
 
 /// What a crash leaves at step 3 of the small terrain.
 void leave_session(const TemporaryFolder& folder) {
   Config config = small_config();
   config.title = "left behind";
-  session::Studio studio({folder / "settings", folder / "state", folder / "presets"});
-  studio.setup().replace(config);
-  studio.create();
-  studio.runner().run(3);
-  studio.runner().wait_until_still();
-  studio.rescue();
+  session::AppModel app({folder / "settings", folder / "state", folder / "presets"});
+  app.setup().replace(config);
+  app.create();
+  app.runner().run(3);
+  app.runner().wait_until_still();
+  app.rescue();
 }
 
 TEST(RecoveryPanel, RecoverGoesOnFromWhatWasSaved) {
   PanelHand panel(make_recovery_panel(), leave_session);
-  ASSERT_EQ(panel.studio.lost_sessions().size(), 1u);
+  ASSERT_EQ(panel.app.crashed_sessions().size(), 1u);
   panel.hand.click("RECOVERY/session 1/RECOVER");
   panel.settle();
-  EXPECT_TRUE(panel.studio.lost_sessions().empty());
-  EXPECT_EQ(panel.studio.setup().config().title, "left behind");
-  ASSERT_TRUE(panel.studio.now().has_runs());
-  EXPECT_EQ(panel.studio.now().step(), 3);
-  EXPECT_EQ(panel.studio.now().activity, Activity::paused);
+  EXPECT_TRUE(panel.app.crashed_sessions().empty());
+  EXPECT_EQ(panel.app.setup().config().title, "left behind");
+  ASSERT_TRUE(panel.app.now().has_runs());
+  EXPECT_EQ(panel.app.now().step(), 3);
+  EXPECT_EQ(panel.app.now().activity, Activity::paused);
   EXPECT_EQ(panel.closed, (std::vector<std::string>{"RECOVERY", "GALLERY"}));
 }
 
 /// The question about unsaved work may be answered after the session has gone.
 TEST(RecoveryPanel, RecoverOfWhatHasBeenDiscardedLeavesAllAsItIs) {
   PanelHand panel(make_recovery_panel(), leave_session);
-  const std::filesystem::path saved = panel.studio.lost_sessions().at(0).folder;
+  const std::filesystem::path saved = panel.app.crashed_sessions().at(0).folder;
   panel.hand.click("RECOVERY/session 1/DISCARD");
-  EXPECT_FALSE(panel.studio.recover(saved));
-  EXPECT_FALSE(panel.studio.now().has_runs());
-  EXPECT_NE(panel.studio.log().lines().back().text.find(saved.string()), std::string::npos);
+  EXPECT_FALSE(panel.app.recover(saved));
+  EXPECT_FALSE(panel.app.now().has_runs());
+  EXPECT_NE(panel.app.log().lines().back().text.find(saved.string()), std::string::npos);
 }
 
 TEST(RecoveryPanel, DiscardDeletesWhatWasSaved) {
   PanelHand panel(make_recovery_panel(), leave_session);
-  ASSERT_EQ(panel.studio.lost_sessions().size(), 1u);
-  const std::filesystem::path saved = panel.studio.lost_sessions().front().folder;
+  ASSERT_EQ(panel.app.crashed_sessions().size(), 1u);
+  const std::filesystem::path saved = panel.app.crashed_sessions().front().folder;
   ASSERT_TRUE(std::filesystem::exists(saved / "session.json"));
   panel.hand.click("RECOVERY/session 1/DISCARD");
-  EXPECT_TRUE(panel.studio.lost_sessions().empty());
+  EXPECT_TRUE(panel.app.crashed_sessions().empty());
   EXPECT_FALSE(std::filesystem::exists(saved));
-  EXPECT_FALSE(panel.studio.now().has_runs());
+  EXPECT_FALSE(panel.app.now().has_runs());
   EXPECT_TRUE(panel.closed.empty());
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "../unit/temporary_folder.h"
-#include "flat_stage.h"
+#include "flat_host.h"
 #include "harness.h"
 #include "io/config/config_file.h"
 #include "models/model.h"
@@ -13,7 +13,7 @@
 
 namespace erg::test {
 
-using session::Studio;
+using session::AppModel;
 using ui::Shell;
 
 namespace {
@@ -37,25 +37,24 @@ class MonkeyAtTheShell : public testing::TestWithParam<unsigned> {
   const ImVec2 screen{1280, 800};
 
   TemporaryFolder folder;
-  std::unique_ptr<Studio> studio;
-  FlatStage stage;
+  std::unique_ptr<AppModel> app;
+  FlatHost host;
   std::unique_ptr<Shell> shell;
   UiHarness hand{[this] {
                    if (!shell) return;
-                   studio->tick();
+                   app->tick();
                    shell->draw();
                  },
                  screen};
 
   void SetUp() override {
     write_small_presets(folder / "presets");
-    studio =
-        std::make_unique<Studio>(session::StudioFolders{folder / "settings", folder / "state", folder / "presets"});
-    studio->settings().last_folder = folder.path().string();
-    studio->setup().replace(small_config());
-    shell = std::make_unique<Shell>(*studio, stage, hand.gui());
-    ASSERT_TRUE(studio->create());
-    studio->runner().wait_for_commands();
+    app = std::make_unique<AppModel>(session::AppFolders{folder / "settings", folder / "state", folder / "presets"});
+    app->settings().last_folder = folder.path().string();
+    app->setup().replace(small_config());
+    shell = std::make_unique<Shell>(*app, host, hand.gui());
+    ASSERT_TRUE(app->create());
+    app->runner().wait_for_commands();
   }
   void TearDown() override { shell.reset(); }
 
@@ -96,15 +95,15 @@ TEST_P(MonkeyAtTheShell, BreaksNothing) {
   for (int deed = 0; deed < 1500; ++deed) {
     carry_out(monkey.next(spots()));
     shell->apply_settings();
-    for (const session::RunSnapshot& run : studio->now().runs) ASSERT_EQ(run.mass_drift(), 0) << "after deed " << deed;
+    for (const session::RunSnapshot& run : app->now().runs) ASSERT_EQ(run.mass_drift(), 0) << "after deed " << deed;
   }
   // The worker still does what it is told.
-  studio->runner().pause();
-  studio->setup().replace(small_config());
-  studio->runner().create({small_config()});
-  studio->runner().step();
-  studio->runner().wait_until_still();
-  EXPECT_EQ(studio->runner().snapshot()->step(), 1) << studio->log().text();
+  app->runner().pause();
+  app->setup().replace(small_config());
+  app->runner().create({small_config()});
+  app->runner().step();
+  app->runner().wait_until_still();
+  EXPECT_EQ(app->runner().snapshot()->step(), 1) << app->log().text();
 }
 
 }  // namespace

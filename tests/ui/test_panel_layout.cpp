@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "flat_stage.h"
+#include "flat_host.h"
 #include "io/formats/png.h"
 #include "panel_hand.h"
 #include "picture_of_gui.h"
@@ -18,8 +18,8 @@ namespace erg::test {
 
 using io::write_png;
 using picture::RgbImage;
-using session::Studio;
-using session::StudioFolders;
+using session::AppFolders;
+using session::AppModel;
 using sim::Config;
 using ui::make_panels;
 using ui::Panel;
@@ -40,13 +40,13 @@ void grow(PanelHand& panel) {
   config.run.set("threads", std::int64_t{1});
   config.wind.seasons = {Season{270, 3, 8, 100, {{0.6, 0.05}, {0.5, 0.95}}}, Season{225, 8, 8, 50, {}},
                          Season{292.5, 8, 4, 80, {}}};
-  panel.studio.setup().replace(config);
-  panel.studio.create();
-  panel.studio.runner().run(pictures_wanted() ? 120 : 10);
-  panel.studio.runner().wait_until_still();
+  panel.app.setup().replace(config);
+  panel.app.create();
+  panel.app.runner().run(pictures_wanted() ? 120 : 10);
+  panel.app.runner().wait_until_still();
   panel.settle();
-  panel.studio.log().warning("dunes.json:7: unknown key \"wind_sped\"; did you mean \"wind_speed\"?");
-  panel.studio.log().error("hills.png: the picture is damaged; make it anew");
+  panel.app.log().warning("dunes.json:7: unknown key \"wind_sped\"; did you mean \"wind_speed\"?");
+  panel.app.log().error("hills.png: the picture is damaged; make it anew");
 }
 
 std::string file_name(std::string title) {
@@ -79,11 +79,11 @@ void look_at(PanelHand& panel, const char* title) {
 }
 
 TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
-  ui::Scenery scenery;
+  ui::ViewState view_state;
   ui::Bookmarks bookmarks{std::filesystem::path()};
   bookmarks.keep("over the lee", {});
   std::vector<std::unique_ptr<Panel>> panels = make_panels();
-  panels.push_back(ui::make_look_panel(scenery, bookmarks));
+  panels.push_back(ui::make_look_panel(view_state, bookmarks));
   panels.push_back(ui::make_picture_panel([](const ui::PictureOrder&) {}));
   for (std::unique_ptr<Panel>& made : panels) {
     const std::string title = made->title();
@@ -91,42 +91,42 @@ TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
     grow(panel);
     if (title == "SECTION") {
       panel.hand.click("PICK TWO POINTS");
-      panel.click_land({4, 60});
-      panel.click_land({124, 70});
+      panel.click_terrain({4, 60});
+      panel.click_terrain({124, 70});
     }
     if (title == "TEMPERATURE") {
-      panel.studio.setup().choose_model("snow_packing");
-      panel.studio.setup().set_course(*find_channel("temperature"), {-20, -2, {{0.5, 0.05}, {0.6, 0.9}}});
+      panel.app.setup().choose_model("snow_packing");
+      panel.app.setup().set_course(*find_channel("temperature"), {-20, -2, {{0.5, 0.05}, {0.6, 0.9}}});
     }
     if (title == "COMPARE") {
       panel.hand.click("ADD A COPY");
-      panel.studio.setup().set("parameters", "p_sand", 0.8);
-      panel.studio.create();
-      panel.studio.runner().run(pictures_wanted() ? 60 : 10);
-      panel.studio.runner().wait_until_still();
+      panel.app.setup().set("parameters", "p_sand", 0.8);
+      panel.app.create();
+      panel.app.runner().run(pictures_wanted() ? 60 : 10);
+      panel.app.runner().wait_until_still();
       panel.settle();
     }
     look_at(panel, title.c_str());
   }
 }
 
-/// The whole interface over a flat land, with a session that a crash left.
+/// The whole interface over a flat terrain, with a session that a crash left.
 struct WholeWindow {
-  explicit WholeWindow(float scale) : studio(folders()), hand([this] { draw(); }, {1280 * scale, 800 * scale}, scale) {
-    studio.settings().scale = scale;
-    shell = std::make_unique<Shell>(studio, stage, hand.gui());
+  explicit WholeWindow(float scale) : app(folders()), hand([this] { draw(); }, {1280 * scale, 800 * scale}, scale) {
+    app.settings().scale = scale;
+    shell = std::make_unique<Shell>(app, host, hand.gui());
     Config config = small_config();
     config.title = "Barchan field";
-    studio.setup().replace(config);
-    studio.create();
-    studio.runner().wait_until_still();
+    app.setup().replace(config);
+    app.create();
+    app.runner().wait_until_still();
     hand.frames(3);
   }
   ~WholeWindow() { shell.reset(); }
 
-  StudioFolders folders() {
-    const StudioFolders all{folder / "settings", folder / "state", {}};
-    Studio crashed(all);
+  AppFolders folders() {
+    const AppFolders all{folder / "settings", folder / "state", {}};
+    AppModel crashed(all);
     crashed.setup().set_title("Star dunes");
     crashed.create();
     crashed.runner().run(3);
@@ -135,7 +135,7 @@ struct WholeWindow {
     return all;
   }
   void draw() {
-    studio.tick();
+    app.tick();
     if (shell) shell->draw();
   }
   /// How far a window's content reaches beyond what is seen of it, pixels.
@@ -154,8 +154,8 @@ struct WholeWindow {
   }
 
   TemporaryFolder folder;
-  Studio studio;
-  FlatStage stage;
+  AppModel app;
+  FlatHost host;
   std::unique_ptr<Shell> shell;
   UiHarness hand;
 };

@@ -21,16 +21,16 @@ TEST(SetupPanel, EveryDeclaredValueOfTheModelHasItsRow) {
   PanelHand panel(make_setup_panel());
   panel.hand.move({160, 300});
   for (const ModelType* type : session::Setup::models_of(Material::sand)) {
-    panel.studio.setup().choose_model(type->info.key);
+    panel.app.setup().choose_model(type->info.key);
     panel.hand.scroll(1000);
     std::set<std::string> seen;  // on the way down
     for (int page = 0; page < 20; ++page) {
-      for (const SetupRow& row : panel.studio.setup().rows("parameters")) {
+      for (const SetupRow& row : panel.app.setup().rows("parameters")) {
         if (panel.hand.has("SETUP/parameters/" + row.parameter->label)) seen.insert(row.parameter->key);
       }
       panel.hand.scroll(-3);
     }
-    for (const SetupRow& row : panel.studio.setup().rows("parameters")) {
+    for (const SetupRow& row : panel.app.setup().rows("parameters")) {
       EXPECT_EQ(seen.contains(row.parameter->key), row.relevant) << type->info.key << ": " << row.parameter->label;
     }
   }
@@ -41,75 +41,75 @@ TEST(SetupPanel, ChoosesTheModelAndShowsOnlyItsValues) {
   const ModelType& wanted = find_model("werner");
   panel.hand.click("SETUP/model");
   panel.hand.click("model=" + wanted.info.title);
-  EXPECT_EQ(panel.studio.setup().config().model, "werner");
+  EXPECT_EQ(panel.app.setup().config().model, "werner");
 }
 
 TEST(SetupPanel, ValuesAreTypedResetAndAllReset) {
   PanelHand panel(make_setup_panel());
-  const Parameter& nx = *panel.studio.setup().config().grid.find("nx");
+  const Parameter& nx = *panel.app.setup().config().grid.find("nx");
   const std::string row = "SETUP/grid/" + nx.label;
   panel.hand.enter(row, "96");
-  EXPECT_EQ(panel.studio.setup().config().grid.integer("nx"), 96);
+  EXPECT_EQ(panel.app.setup().config().grid.integer("nx"), 96);
   panel.hand.click(row + " reset");
-  EXPECT_TRUE(panel.studio.setup().config().grid.is_default("nx"));
+  EXPECT_TRUE(panel.app.setup().config().grid.is_default("nx"));
   panel.hand.enter(row, "96");
   panel.hand.click("RESET DEFAULT");
-  EXPECT_EQ(panel.studio.setup().config(), sim::Config(panel.studio.setup().config().model));
+  EXPECT_EQ(panel.app.setup().config(), sim::Config(panel.app.setup().config().model));
 }
 
 TEST(SetupPanel, CreateMakesTheTerrain) {
   PanelHand panel(make_setup_panel());
-  panel.studio.setup().replace(small_config());
+  panel.app.setup().replace(small_config());
   panel.hand.frames();
-  EXPECT_TRUE(panel.studio.create_needed());
+  EXPECT_TRUE(panel.app.create_needed());
   panel.hand.click("CREATE");
   panel.settle();
-  ASSERT_TRUE(panel.studio.now().has_runs());
-  EXPECT_EQ(panel.studio.now().runs.front().terrain->nx(), 32);
-  EXPECT_FALSE(panel.studio.create_needed());
+  ASSERT_TRUE(panel.app.now().has_runs());
+  EXPECT_EQ(panel.app.now().runs.front().terrain->nx(), 32);
+  EXPECT_FALSE(panel.app.create_needed());
 }
 
 TEST(SetupPanel, AFreshSeedIsDrawnWithEachCreate) {
   PanelHand panel(make_setup_panel());
   panel.create();
   panel.hand.click("fresh seed");
-  EXPECT_TRUE(panel.studio.setup().fresh_seed());
+  EXPECT_TRUE(panel.app.setup().fresh_seed());
   panel.hand.click("CREATE");
   panel.settle();
-  const std::int64_t first = panel.studio.now().runs.front().config->run.integer("seed");
+  const std::int64_t first = panel.app.now().runs.front().config->run.integer("seed");
   panel.hand.click("CREATE");
   panel.settle();
-  EXPECT_NE(panel.studio.now().runs.front().config->run.integer("seed"), first);
+  EXPECT_NE(panel.app.now().runs.front().config->run.integer("seed"), first);
 }
 
 TEST(SetupPanel, ASceneOfAPictureAsksForItAndTakesItFromTheBrowser) {
   PanelHand panel(make_setup_panel(), [](const TemporaryFolder& folder) { write_bytes(folder / "hills.png", "x"); });
-  panel.studio.setup().set("scene", "kind", std::string("image"));
+  panel.app.setup().set("scene", "kind", std::string("image"));
   panel.hand.frames(2);
   EXPECT_FALSE(panel.hand.place("SETUP/CREATE").enabled) << "there is no picture yet";
   panel.hand.click("scene/BROWSE");
   panel.hand.click("files/hills.png");
   panel.hand.click("CHOOSE A PICTURE/CHOOSE");
-  EXPECT_EQ(panel.studio.setup().config().scene.text("image"), panel.folder / "hills.png");
+  EXPECT_EQ(panel.app.setup().config().scene.text("image"), panel.folder / "hills.png");
 }
 
-TEST(SetupPanel, AMapOfPlantsIsChosenLikeAPictureOfTheLand) {
+TEST(SetupPanel, AMapOfPlantsIsChosenLikeAPictureOfTheTerrain) {
   PanelHand panel(make_setup_panel(), [](const TemporaryFolder& folder) { write_bytes(folder / "dunes.png", "x"); });
-  panel.studio.setup().choose_model("nield_baas");
-  panel.studio.setup().set("parameters", "vegetation", std::string("image"));
+  panel.app.setup().choose_model("nield_baas");
+  panel.app.setup().set("parameters", "vegetation", std::string("image"));
   panel.hand.frames(2);
   panel.hand.click("parameters/BROWSE");
   panel.hand.click("files/dunes.png");
   panel.hand.click("CHOOSE A PICTURE/CHOOSE");
-  EXPECT_EQ(panel.studio.setup().config().parameters.text("vegetation_image"), panel.folder / "dunes.png");
-  EXPECT_EQ(panel.studio.setup().config().scene.text("image"), "");
+  EXPECT_EQ(panel.app.setup().config().parameters.text("vegetation_image"), panel.folder / "dunes.png");
+  EXPECT_EQ(panel.app.setup().config().scene.text("image"), "");
 }
 
 TEST(WindPanel, AConstantWindIsTurnedAndStrengthened) {
   PanelHand panel(make_wind_panel());
   panel.hand.drag("WIND/dial", {0.1f, 0.5f}, {0.5f, 0.05f});
   panel.hand.enter("WIND/strength", "7");
-  const Regime& wind = panel.studio.setup().config().wind;
+  const Regime& wind = panel.app.setup().config().wind;
   EXPECT_TRUE(wind.is_constant());
   EXPECT_EQ(wind.seasons.front().bearing, 0);
   EXPECT_EQ(wind.seasons.front().first, 7);
@@ -118,7 +118,7 @@ TEST(WindPanel, AConstantWindIsTurnedAndStrengthened) {
 
 TEST(WindPanel, ASpreadIsSetTakenBackAndSwitchedOff) {
   PanelHand panel(make_wind_panel());
-  const auto season = [&]() -> const Season& { return panel.studio.setup().config().wind.seasons.front(); };
+  const auto season = [&]() -> const Season& { return panel.app.setup().config().wind.seasons.front(); };
   EXPECT_EQ(season().spread, natural_spread);
   panel.hand.enter("WIND/" + season_columns().find("spread")->label, "25");
   panel.hand.enter("WIND/" + season_columns().find("hold")->label, "9");
@@ -132,7 +132,7 @@ TEST(WindPanel, ASpreadIsSetTakenBackAndSwitchedOff) {
 
 TEST(WindPanel, SeasonsAreAddedCopiedMovedAndRemoved) {
   PanelHand panel(make_wind_panel());
-  const auto wind = [&]() -> const Regime& { return panel.studio.setup().config().wind; };
+  const auto wind = [&]() -> const Regime& { return panel.app.setup().config().wind; };
   panel.hand.click("SEASONS");
   panel.hand.click("ADD");
   ASSERT_EQ(wind().seasons.size(), 2u);
@@ -168,10 +168,10 @@ TEST(WindPanel, TheStrengthCurveIsBentAndReset) {
   panel.hand.enter("last strength", "9");
   const ui::WidgetPlace box = panel.hand.place("curve/box");
   panel.hand.drag(panel.hand.place("curve/first").middle(), {box.high.x, box.high.y});
-  EXPECT_NEAR(panel.studio.setup().config().wind.seasons[0].curve.first.x, 1, 0.01);
-  EXPECT_NEAR(panel.studio.setup().config().wind.seasons[0].curve.first.y, 0, 0.01);
+  EXPECT_NEAR(panel.app.setup().config().wind.seasons[0].curve.first.x, 1, 0.01);
+  EXPECT_NEAR(panel.app.setup().config().wind.seasons[0].curve.first.y, 0, 0.01);
   panel.hand.click("curve/RESET");
-  EXPECT_EQ(panel.studio.setup().config().wind.seasons[0].curve, BezierCurve{});
+  EXPECT_EQ(panel.app.setup().config().wind.seasons[0].curve, BezierCurve{});
 }
 
 TEST(WindPanel, ConstantAndBackLosesNoSeason) {
@@ -179,12 +179,12 @@ TEST(WindPanel, ConstantAndBackLosesNoSeason) {
   panel.hand.click("SEASONS");
   panel.hand.click("ADD");
   panel.hand.enter("WIND/bearing", "NE");
-  const std::vector<Season> before = panel.studio.setup().config().wind.seasons;
+  const std::vector<Season> before = panel.app.setup().config().wind.seasons;
   panel.hand.click("CONSTANT");
-  EXPECT_TRUE(panel.studio.setup().config().wind.is_constant());
-  EXPECT_EQ(panel.studio.setup().config().wind.seasons.front().bearing, 45);
+  EXPECT_TRUE(panel.app.setup().config().wind.is_constant());
+  EXPECT_EQ(panel.app.setup().config().wind.seasons.front().bearing, 45);
   panel.hand.click("SEASONS");
-  EXPECT_EQ(panel.studio.setup().config().wind.seasons, before);
+  EXPECT_EQ(panel.app.setup().config().wind.seasons, before);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Menus, run bar, look panel, land: what a hand does there reaches the view model.
+// Menus, run bar, look panel, terrain: what a hand does there reaches the view model.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -27,19 +27,19 @@ namespace {
 TEST(Shell, ARecoveryThatFailsInTheEndOpensTheLog) {
   const TemporaryFolder folder;
   leave_torn_session(folder.path(), small_config());
-  session::Studio studio({{}, folder.path(), {}});
-  ASSERT_EQ(studio.lost_sessions().size(), 1u);
-  FlatStage stage;
+  session::AppModel app({{}, folder.path(), {}});
+  ASSERT_EQ(app.crashed_sessions().size(), 1u);
+  FlatHost host;
   std::optional<Shell> shell;
   UiHarness hand{[&] {
-    studio.tick();
+    app.tick();
     if (shell) shell->draw();
   }};
-  shell.emplace(studio, stage, hand.gui());
+  shell.emplace(app, host, hand.gui());
   hand.frames(2);
-  EXPECT_TRUE(studio.recover(studio.lost_sessions().front().folder));
+  EXPECT_TRUE(app.recover(app.crashed_sessions().front().folder));
   EXPECT_FALSE(shell->is_open("LOG"));
-  studio.runner().wait_until_still();
+  app.runner().wait_until_still();
   hand.frames(2);
   EXPECT_TRUE(shell->is_open("LOG"));
   shell->close("LOG");
@@ -76,7 +76,7 @@ TEST_F(ShellHand, StepRunAndResetDoWhatTheySay) {
 TEST_F(ShellHand, SpacePlaysAndPausesAndTheButtonSaysWhichItWillDo) {
   create();
   hand.shortcut(' ', false);
-  studio.runner().wait_for_commands();
+  app.runner().wait_for_commands();
   hand.frames(2);
   EXPECT_EQ(now().activity, Activity::running);
   EXPECT_FALSE(hand.place("RUN/step").enabled);
@@ -125,66 +125,66 @@ TEST_F(ShellHand, TheMenusReachTheViewModel) {
   hand.click("menu Run/One step");
   settle();
   EXPECT_EQ(now().step(), 1);
-  const bool dark = studio.settings().dark;
+  const bool dark = app.settings().dark;
   hand.click("menu View");
   hand.click("menu View/Dark");
-  EXPECT_NE(studio.settings().dark, dark);
+  EXPECT_NE(app.settings().dark, dark);
   hand.click("menu File");
   hand.click("menu File/Quit");
   EXPECT_TRUE(shell->is_open("UNSAVED")) << "this setup is in no file";
   hand.click("WITHOUT SAVING");
-  EXPECT_TRUE(stage.closed);
+  EXPECT_TRUE(host.closed);
 }
 
 TEST_F(ShellHand, WithEverythingInAFileItQuitsAtOnce) {
   write_config(folder / "mine.json", small_config());
-  ASSERT_TRUE(studio.open(folder / "mine.json"));
+  ASSERT_TRUE(app.open(folder / "mine.json"));
   settle();
   hand.shortcut('Q');
-  EXPECT_TRUE(stage.closed);
+  EXPECT_TRUE(host.closed);
 }
 
 TEST_F(ShellHand, QuittingWithAnUnsavedSetupAsksFirst) {
   write_config(folder / "mine.json", small_config());
-  ASSERT_TRUE(studio.open(folder / "mine.json"));
+  ASSERT_TRUE(app.open(folder / "mine.json"));
   settle();
-  studio.setup().set_title("changed");
+  app.setup().set_title("changed");
   shell->quit();
   hand.frames(3);
-  EXPECT_FALSE(stage.closed);
+  EXPECT_FALSE(host.closed);
   hand.click("UNSAVED/CANCEL");
   EXPECT_FALSE(shell->is_open("UNSAVED"));
-  EXPECT_FALSE(stage.closed);
+  EXPECT_FALSE(host.closed);
   hand.shortcut('Q');
   hand.frames(3);
   hand.key(ui::keys::escape);
-  EXPECT_FALSE(stage.closed);
+  EXPECT_FALSE(host.closed);
   hand.shortcut('Q');
   hand.frames(3);
   hand.click("UNSAVED/SAVE");
   hand.frames(3);
-  EXPECT_TRUE(stage.closed);
+  EXPECT_TRUE(host.closed);
   EXPECT_EQ(read_config(folder / "mine.json").title, "changed");
 }
 
 TEST_F(ShellHand, AnUnsavedSetupWithoutAFileAsksForOne) {
-  studio.settings().last_folder = folder.path().string();
+  app.settings().last_folder = folder.path().string();
   create();
   shell->quit();
   hand.frames(3);
   hand.click("UNSAVED/SAVE");
   hand.frames(3);
-  EXPECT_FALSE(stage.closed);
+  EXPECT_FALSE(host.closed);
   hand.enter("SAVE THE SETUP/name", "new");
   hand.frames(3);
-  EXPECT_TRUE(stage.closed);
+  EXPECT_TRUE(host.closed);
   EXPECT_EQ(read_config(folder / "new.json"), small_config());
 }
 
-TEST_F(ShellHand, CreatingOverAPaintedLandAsksFirst) {
-  studio.settings().last_folder = folder.path().string();
+TEST_F(ShellHand, CreatingOverAPaintedTerrainAsksFirst) {
+  app.settings().last_folder = folder.path().string();
   create();
-  studio.runner().paint(0, {.x = 10.5, .y = 10.5, .radius = 3, .amount = 9}, 1);
+  app.runner().paint(0, {.x = 10.5, .y = 10.5, .radius = 3, .amount = 9}, 1);
   settle();
   const std::uint64_t painted = state_hash(*now().runs[0].terrain);
   hand.shortcut('N');
@@ -204,20 +204,20 @@ TEST_F(ShellHand, TheLookPanelChangesTheLook) {
   create();
   hand.click("LOOK/show");
   hand.click("show=slope");
-  EXPECT_EQ(shell->scenery().look.show, "slope");
+  EXPECT_EQ(shell->view_state().look.show, "slope");
   hand.click("LOOK/palette");
   hand.click("palette=cividis");
-  EXPECT_EQ(shell->scenery().look.palette, "cividis");
+  EXPECT_EQ(shell->view_state().look.palette, "cividis");
   hand.click("palette reset");
-  EXPECT_EQ(shell->scenery().look.palette, "");
+  EXPECT_EQ(shell->view_state().look.palette, "");
   hand.click("LOOK/raw cells");
-  EXPECT_TRUE(shell->scenery().look.raw_cells);
+  EXPECT_TRUE(shell->view_state().look.raw_cells);
   // A quarter to the east of the dial's middle: the sun in the east, half way up.
   const WidgetPlace dial = hand.place("sun dial");
   const float radius = 0.45f * (dial.high.x - dial.low.x);
   hand.click(ImVec2(dial.middle().x + 0.5f * radius, dial.middle().y));
-  EXPECT_NEAR(shell->scenery().look.sun_bearing, 90, 2);
-  EXPECT_NEAR(shell->scenery().look.sun_altitude, 45, 2);
+  EXPECT_NEAR(shell->view_state().look.sun_bearing, 90, 2);
+  EXPECT_NEAR(shell->view_state().look.sun_altitude, 45, 2);
 }
 
 TEST_F(ShellHand, TheFluxIsCountedOnlyWhileItIsShown) {
@@ -227,7 +227,7 @@ TEST_F(ShellHand, TheFluxIsCountedOnlyWhileItIsShown) {
   hand.click("show=flux");
   settle();
   ASSERT_NE(now().runs.front().flux, nullptr);
-  studio.runner().step();
+  app.runner().step();
   settle();
   double sum = 0;
   for (const float value : now().runs.front().flux->values.cells()) sum += value;
@@ -250,13 +250,13 @@ TEST_F(ShellHand, TheWindShadowIsAskedForOnlyWhileItIsShown) {
 TEST_F(ShellHand, AViewIsKeptAndComesBack) {
   create();
   hand.click("LOOK/Top");
-  const Camera kept = shell->scenery().camera.camera();
+  const Camera kept = shell->view_state().camera.camera();
   EXPECT_TRUE(kept.orthographic);
   hand.click("LOOK/Keep view");
   hand.click("LOOK/Side");
-  EXPECT_FALSE(shell->scenery().camera.camera() == kept);
+  EXPECT_FALSE(shell->view_state().camera.camera() == kept);
   hand.click("view 1/view 1");
-  EXPECT_TRUE(shell->scenery().camera.camera() == kept);
+  EXPECT_TRUE(shell->view_state().camera.camera() == kept);
   EXPECT_EQ(read_camera(folder / "settings/views/view 1.json"), kept);
 }
 
@@ -273,40 +273,40 @@ TEST_F(ShellHand, AViewIsKeptUnderItsNameReplacedAndForgotten) {
   EXPECT_TRUE(read_camera(file).orthographic);
   hand.click("LOOK/Side");
   keep();
-  EXPECT_EQ(read_camera(file), shell->scenery().camera.camera());
+  EXPECT_EQ(read_camera(file), shell->view_state().camera.camera());
   EXPECT_EQ(ui::Bookmarks(folder / "settings/views").entries().size(), 1u) << "the next start finds it";
   hand.click("LOOK/Block");
   hand.click("lee-side/lee-side");
-  EXPECT_EQ(shell->scenery().camera.camera(), read_camera(file));
+  EXPECT_EQ(shell->view_state().camera.camera(), read_camera(file));
   hand.click("lee-side/remove");
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_FALSE(hand.has("lee-side/lee-side"));
 }
 
-TEST_F(ShellHand, TheMouseTurnsShiftsAndNearsTheLand) {
+TEST_F(ShellHand, TheMouseTurnsShiftsAndNearsTheTerrain) {
   create();
   hand.shortcut('3', false);
-  const Camera before = shell->scenery().camera.camera();
-  const ImVec2 middle = hand.place("land").middle();
+  const Camera before = shell->view_state().camera.camera();
+  const ImVec2 middle = hand.place("terrain").middle();
   hand.drag(middle, ImVec2(middle.x + 80, middle.y));
-  const Camera turned = shell->scenery().camera.camera();
+  const Camera turned = shell->view_state().camera.camera();
   EXPECT_NE(turned.bearing, before.bearing);
   EXPECT_EQ(turned.target, before.target);
   hand.scroll(2);
-  EXPECT_LT(shell->scenery().camera.camera().distance, turned.distance);
+  EXPECT_LT(shell->view_state().camera.camera().distance, turned.distance);
   hand.move(middle);
   hand.press(1);
   hand.move(ImVec2(middle.x + 60, middle.y + 10));
   hand.release(1);
-  EXPECT_NE(shell->scenery().camera.camera().target, turned.target);
-  EXPECT_EQ(shell->scenery().camera.camera().bearing, turned.bearing);
+  EXPECT_NE(shell->view_state().camera.camera().target, turned.target);
+  EXPECT_EQ(shell->view_state().camera.camera().bearing, turned.bearing);
 }
 
-TEST_F(ShellHand, TheLandUnderThePointerIsRead) {
+TEST_F(ShellHand, TheTerrainUnderThePointerIsRead) {
   create();
   hand.shortcut('1', false);
   EXPECT_FALSE(hand.has("LAND/reading"));
-  hand.move(hand.place("land").middle());
+  hand.move(hand.place("terrain").middle());
   hand.frames(2);
   EXPECT_TRUE(hand.has("LAND/reading"));
 }
@@ -322,36 +322,36 @@ TEST_F(ShellHand, APictureIsOrderedInTheSizeChosen) {
   hand.frames(3);
   hand.click("SAVE");
   hand.frames(6);
-  ASSERT_EQ(stage.orders.size(), 1u);
-  EXPECT_EQ(stage.orders[0].size.width, 640);
-  EXPECT_EQ(stage.orders[0].size.height, 360);
-  EXPECT_TRUE(stage.orders[0].transparent);
+  ASSERT_EQ(host.orders.size(), 1u);
+  EXPECT_EQ(host.orders[0].size.width, 640);
+  EXPECT_EQ(host.orders[0].size.height, 360);
+  EXPECT_TRUE(host.orders[0].transparent);
 }
 
 TEST_F(ShellHand, APictureThatTheMemoryDoesNotHoldIsSaidInWords) {
   create();
-  stage.has_memory = false;
+  host.has_memory = false;
   hand.key(ui::keys::function + 12);
   hand.frames(3);
   hand.click("PICTURE/save picture");
   hand.frames(3);
   hand.click("SAVE");
   hand.frames(6);
-  EXPECT_TRUE(stage.orders.empty());
-  EXPECT_NE(studio.log().text().find(": there is not enough memory"), std::string::npos) << studio.log().text();
+  EXPECT_TRUE(host.orders.empty());
+  EXPECT_NE(app.log().text().find(": there is not enough memory"), std::string::npos) << app.log().text();
 }
 
 TEST_F(ShellHand, PanelsFoldAndColumnsAreDraggedAndBothAreRemembered) {
   create();
   hand.click("SETUP/fold");
-  EXPECT_EQ(studio.settings().layout.at("fold SETUP"), 0);
+  EXPECT_EQ(app.settings().layout.at("fold SETUP"), 0);
   const WidgetPlace edge = hand.place("edge left");
   hand.drag(edge.middle(), ImVec2(edge.middle().x + 60, edge.middle().y));
-  EXPECT_NEAR(studio.settings().layout.at("left width"), 390, 6);
-  EXPECT_NEAR(hand.place("land").low.x, 390, 8);
+  EXPECT_NEAR(app.settings().layout.at("left width"), 390, 6);
+  EXPECT_NEAR(hand.place("terrain").low.x, 390, 8);
   hand.key(ui::keys::function + 2);
   EXPECT_FALSE(hand.has("edge left"));
-  EXPECT_EQ(hand.place("land").low.x, 0);
+  EXPECT_EQ(hand.place("terrain").low.x, 0);
 }
 
 TEST_F(ShellHand, TheStatusSaysThatNoMassIsLost) {

@@ -1,4 +1,4 @@
-// Who gets the keys: the land, a dialog, a menu; and what CREATE shows.
+// Who gets the keys: the terrain, a dialog, a menu; and what CREATE shows.
 #include <gtest/gtest.h>
 
 #include "shell_hand.h"
@@ -8,7 +8,7 @@ namespace {
 
 TEST_F(ShellHand, KeysNeverActThroughADialogOrAMenu) {
   create();
-  studio.runner().step();
+  app.runner().step();
   settle();
   for (const char* const dialog : {"KEYS", "SAVE AS", "EXPORT", "PICTURE"}) {
     shell->open(dialog);
@@ -32,16 +32,16 @@ TEST_F(ShellHand, KeysNeverActThroughADialogOrAMenu) {
   EXPECT_EQ(now().step(), 0) << "and now none is";
 }
 
-TEST_F(ShellHand, TheLandDoesNotFlyWhileADialogIsTypedInto) {
+TEST_F(ShellHand, TheTerrainDoesNotFlyWhileADialogIsTypedInto) {
   create();
-  const picture::Camera before = shell->scenery().camera.camera();
+  const picture::Camera before = shell->view_state().camera.camera();
   shell->open("KEYS");
   hand.frames(3);
   hand.shortcut('W', false);
-  EXPECT_EQ(shell->scenery().camera.camera(), before);
+  EXPECT_EQ(shell->view_state().camera.camera(), before);
   hand.key(ui::keys::escape);
   hand.shortcut('W', false);
-  EXPECT_NE(shell->scenery().camera.camera(), before);
+  EXPECT_NE(shell->view_state().camera.camera(), before);
 }
 
 TEST_F(ShellHand, EscapeClosesMenusAndListsAndTheNextClickCounts) {
@@ -71,17 +71,17 @@ TEST_F(ShellHand, AListInADialogClosesBeforeTheDialog) {
   EXPECT_TRUE(shell->is_open("KEYS"));
 }
 
-TEST_F(ShellHand, CreateShowsTheNewLandWhole) {
+TEST_F(ShellHand, CreateShowsTheNewTerrainWhole) {
   create();
   hand.frames(3);
-  hand.move(hand.place("land").middle());
+  hand.move(hand.place("terrain").middle());
   hand.scroll(8);
   hand.frames(2);
-  const double near = shell->scenery().camera.camera().distance;
+  const double near = shell->view_state().camera.camera().distance;
   hand.click("SETUP/CREATE");
   settle();
   hand.frames(3);
-  EXPECT_GT(shell->scenery().camera.camera().distance, near);
+  EXPECT_GT(shell->view_state().camera.camera().distance, near);
 }
 
 }  // namespace

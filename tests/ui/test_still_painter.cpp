@@ -10,8 +10,8 @@
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "render/textures.h"
-#include "ui/land/land_view.h"
 #include "ui/land/still_painter.h"
+#include "ui/land/terrain_panes.h"
 
 namespace erg::test {
 

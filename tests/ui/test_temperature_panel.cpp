@@ -14,20 +14,20 @@ namespace {
 TEST(TemperaturePanel, IsWantedForSnowOnly) {
   PanelHand panel(make_wind_panel());
   const auto temperature = make_temperature_panel();
-  const ui::Desk desk{panel.studio, {}, ui::LandTool::camera, {}, {}, {}, {}, {}, {}};
-  EXPECT_FALSE(temperature->wanted(desk));
-  panel.studio.setup().choose_material(Material::snow);
-  EXPECT_TRUE(temperature->wanted(desk));
+  const ui::PanelContext context{panel.app, {}, ui::TerrainTool::camera, {}, {}, {}, {}, {}, {}};
+  EXPECT_FALSE(temperature->wanted(context));
+  panel.app.setup().choose_material(Material::snow);
+  EXPECT_TRUE(temperature->wanted(context));
 }
 
 TEST(TemperaturePanel, EndsAreTypedAndTheCurveBetweenThemIsBent) {
   PanelHand panel(make_temperature_panel());
-  panel.studio.setup().choose_material(Material::snow);
+  panel.app.setup().choose_material(Material::snow);
   panel.hand.frames(2);
   EXPECT_FALSE(panel.hand.has("TEMPERATURE/curve/box"));  // nothing to bend while both ends are alike
   panel.hand.enter("TEMPERATURE/at the start", "-20");
   panel.hand.enter("TEMPERATURE/at the end", "-5");
-  const Course& now = panel.studio.setup().config().weather.temperature;
+  const Course& now = panel.app.setup().config().weather.temperature;
   EXPECT_EQ(now.first, -20);
   EXPECT_EQ(now.last, -5);
   const ui::WidgetPlace box = panel.hand.place("curve/box");
@@ -39,14 +39,14 @@ TEST(TemperaturePanel, EndsAreTypedAndTheCurveBetweenThemIsBent) {
 TEST(WindPanel, SnowFallsInASeasonOfAModelThatLetsIt) {
   PanelHand panel(make_wind_panel());
   for (const char* model : {"momiji", "snow_packing"}) {
-    panel.studio.setup().choose_model(model);
+    panel.app.setup().choose_model(model);
     panel.hand.frames(2);
     EXPECT_FALSE(panel.hand.has("WIND/" + season_columns().find("snowfall")->label)) << model;
   }
-  panel.studio.setup().choose_model("snow_sintering");
+  panel.app.setup().choose_model("snow_sintering");
   panel.hand.frames(2);
   panel.hand.enter("WIND/" + season_columns().find("snowfall")->label, "3");
-  EXPECT_EQ(panel.studio.setup().config().wind.seasons.front().snowfall, 3);
+  EXPECT_EQ(panel.app.setup().config().wind.seasons.front().snowfall, 3);
 }
 
 }  // namespace

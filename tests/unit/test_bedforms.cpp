@@ -32,7 +32,7 @@ Terrain saw(int rise, bool turned) {
 TEST(Bedforms, RidgesAcrossTheWindAreZeroAndAlongItOne) {
   EXPECT_NEAR(measure_bedforms(saw(8, false), west).across, 0, 1e-9);
   EXPECT_NEAR(measure_bedforms(saw(8, true), west).across, 1, 1e-9);
-  EXPECT_NEAR(measure_bedforms(saw(8, true), 0).across, 0, 1e-9) << "the wind turns, not the land";
+  EXPECT_NEAR(measure_bedforms(saw(8, true), 0).across, 0, 1e-9) << "the wind turns, not the terrain";
   EXPECT_NEAR(measure_bedforms(saw(8, false), 225).across, 0.5, 1e-9);
 }
 

@@ -144,7 +144,7 @@ TEST_F(ConfigFile, ASpreadStandsBesideAConstantWindOrInASeason) {
   EXPECT_EQ(seasons.wind.seasons,
             (std::vector<Season>{{.curve = {}, .spread = 0}, {.curve = {}, .spread = natural_spread, .hold = 2}}));
   EXPECT_EQ(mistakes(R"({"erg": 1, "model": "momiji", "wind": {"spread": -1, "hold": 0.5}})"),
-            "a.json:1: spread is -1; expected 0 to 60 deg\n"
+            "a.json:1: spread is -1; expected 0 to 60 °\n"
             "a.json:1: hold is 0.5; expected a whole number, 1 to 1000000000 steps");
 }
 

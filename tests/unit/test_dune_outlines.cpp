@@ -67,7 +67,7 @@ TEST(DuneOutlines, AConeIsAsHighWideSteepAndLargeAsItIs) {
     EXPECT_NEAR(dune.x, 64, 0.01);
     EXPECT_NEAR(dune.y, 64, 0.01);
     EXPECT_NEAR(dune.height, 20 * (1 - std::sqrt(0.5) / 40), slab) << "at the middle of the cell beside the top";
-    // The outline runs where the sand is thicker than the mean over the land: 2.05 m.
+    // The outline runs where the sand is thicker than the mean over the terrain: 2.05 m.
     const double mean = static_cast<double>(terrain.total_mobile()) * slab / (128 * 128);
     const double across = 2 * 40 * (1 - mean / 20);
     EXPECT_NEAR(dune.width, across, 1.5);
@@ -224,7 +224,7 @@ TEST(DuneOutlines, OnALayerCountFromItsTop) {
   EXPECT_NEAR(found.dunes[1].x, 70, 0.05);
 }
 
-/// The land of two cones that have moved by (dx, dy) m.
+/// The terrain of two cones that have moved by (dx, dy) m.
 Terrain two_cones(double dx, double dy) {
   Terrain terrain({128, 96}, 1, slab);
   put(terrain, 120 + dx, 20 + dy, cone(6, 15));
@@ -251,20 +251,20 @@ TEST(DuneTracker, FollowsEachDuneAroundTheTorus) {
 }
 
 TEST(DuneTracker, TakesNoDuneForAnother) {
-  const Terrain land = two_cones(0, 0);
-  const std::vector<Dune> both = find_dunes(land, west).dunes;
+  const Terrain terrain = two_cones(0, 0);
+  const std::vector<Dune> both = find_dunes(terrain, west).dunes;
   ASSERT_EQ(both.size(), 2u);
-  EXPECT_FALSE(match_dunes({both[0]}, {both[1]}, land)[0]) << "too far away";
+  EXPECT_FALSE(match_dunes({both[0]}, {both[1]}, terrain)[0]) << "too far away";
   Dune grown = both[0];
   grown.volume *= 2;
-  EXPECT_FALSE(match_dunes({both[0]}, {grown}, land)[0]) << "it has merged";
-  EXPECT_TRUE(match_dunes({}, both, land)[0] == std::nullopt);
-  const auto matches = match_dunes({both[1], both[0]}, both, land);
+  EXPECT_FALSE(match_dunes({both[0]}, {grown}, terrain)[0]) << "it has merged";
+  EXPECT_TRUE(match_dunes({}, both, terrain)[0] == std::nullopt);
+  const auto matches = match_dunes({both[1], both[0]}, both, terrain);
   EXPECT_EQ(matches[0], 1u);
   EXPECT_EQ(matches[1], 0u);
   DuneTracker tracker;
-  tracker.observe(0, {both[0]}, land);
-  tracker.observe(5, both, land);
+  tracker.observe(0, {both[0]}, terrain);
+  tracker.observe(5, both, terrain);
   EXPECT_EQ(tracker.tracks()[1].number, 2) << "a new one";
   EXPECT_EQ(tracker.tracks()[1].since, 5);
 }

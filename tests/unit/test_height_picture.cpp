@@ -296,7 +296,7 @@ TEST_F(GroundFromPicture, HeightsThatAConfigGivesHoldAndSoDoDefaultsThatItGives)
   EXPECT_EQ(range.low, 0);
   EXPECT_EQ(range.high, 10);
   EXPECT_TRUE(tells(notes, "give way to image_low and image_high, 0 to 10 m"));
-  // Written and read again it is the same land.
+  // Written and read again it is the same terrain.
   const Config again = parse_config(config_text(config), "again.json");
   EXPECT_EQ(surface(start_simulation(again)).high, 10);
   config.scene.reset("image_low");

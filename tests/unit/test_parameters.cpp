@@ -87,9 +87,9 @@ TEST(Parameters, UnknownChoicesAreCorrected) {
 
 TEST(Parameters, MessagesStayOnOneLine) {
   const std::string nasty = "a\nb\x1b" + std::string(100, 'x');
-  EXPECT_EQ(in_quotes(nasty), "\"a?b?" + std::string(56, 'x') + "...\"");
+  EXPECT_EQ(quote(nasty), "\"a?b?" + std::string(56, 'x') + "...\"");
   // A cut never splits a character: 59 letters, then one of two bytes.
-  EXPECT_EQ(in_quotes(std::string(59, 'x') + "\u00e9y"), "\"" + std::string(59, 'x') + "...\"");
+  EXPECT_EQ(quote(std::string(59, 'x') + "\u00e9y"), "\"" + std::string(59, 'x') + "...\"");
 }
 
 TEST(Parameters, ValuesAreReadAsTyped) {

@@ -150,7 +150,7 @@ TEST(Legend, TheArrowPointsDownwind) {
     RgbImage image(400, legend_height);
     io::draw_legend(image, 1.0, with);
     const int left =
-        image.width - 14 - picture::label_width("wind " + std::to_string(static_cast<int>(bearing)) + " deg", 17);
+        image.width - 14 - picture::label_width("wind " + std::to_string(static_cast<int>(bearing)) + "°", 17);
     double ink = 0, east = 0, north = 0;
     for (int y = 0; y < legend_height; ++y) {
       for (int x = left - 42; x < left - 6; ++x) {

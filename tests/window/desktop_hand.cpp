@@ -291,7 +291,7 @@ int DesktopHand::wait() {
 
 std::string DesktopHand::errors() const { return read_all(errors_); }
 
-std::string write_small_land(const std::filesystem::path& folder) {
+std::string write_small_terrain(const std::filesystem::path& folder) {
   sim::Config config("momiji");
   config.title = "small";
   config.grid.set("nx", std::int64_t{64});

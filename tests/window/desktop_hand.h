@@ -106,7 +106,7 @@ class DesktopHand {
   int ended_with_ = -1;  ///< when `runs` has seen its end
 };
 
-/// Writes the config of a land of few cells, "small.json", into a folder; its path.
-std::string write_small_land(const std::filesystem::path& folder);
+/// Writes the config of a terrain of few cells, "small.json", into a folder; its path.
+std::string write_small_terrain(const std::filesystem::path& folder);
 
 }  // namespace erg::test

@@ -37,12 +37,12 @@ class Patience {
 TEST(Monkey, AtTheWindowBreaksNothing) {
   const TemporaryFolder folder;
   const Display display;
-  const std::string land = write_small_land(folder.path());
+  const std::string terrain = write_small_terrain(folder.path());
   Patience patience;
   int deeds = 0;
   double most_memory = 0;
   for (unsigned seed = 1; patience.is_left(deeds); ++seed) {  // one that finds the way out is followed by another
-    DesktopHand hand(display, folder.path(), {land, "--width", "1000", "--height", "760"});
+    DesktopHand hand(display, folder.path(), {terrain, "--width", "1000", "--height", "760"});
     hand.wait_for("RUN/step", true);
     Monkey monkey(seed, 1000, 760);
     while (patience.is_left(deeds) && hand.runs()) {

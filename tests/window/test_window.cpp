@@ -94,10 +94,10 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   EXPECT_TRUE(std::filesystem::exists(folder / "config" / "erg" / "settings.json"));
 }
 
-TEST(Window, DrawsTheLandAsTheOffscreenContextsDo) {
+TEST(Window, DrawsTheTerrainAsTheOffscreenContextsDo) {
   const TemporaryFolder folder;
   const Display display;
-  const std::string config = write_small_land(folder.path());
+  const std::string config = write_small_terrain(folder.path());
   DesktopHand hand(display, folder.path(), {config});
   hand.wait_for("RUN/step");
   hand.enter("RUN/steps to run", "40");
@@ -123,10 +123,10 @@ TEST(Window, DrawsTheLandAsTheOffscreenContextsDo) {
   }
 }
 
-TEST(Window, ALostDisplayAndASignalEndTheProgramWithTheLandSaved) {
+TEST(Window, ALostDisplayAndASignalEndTheProgramWithTheTerrainSaved) {
   const TemporaryFolder folder;
   Display display;
-  DesktopHand hand(display, folder.path(), {write_small_land(folder.path())});
+  DesktopHand hand(display, folder.path(), {write_small_terrain(folder.path())});
   hand.wait_for("RUN/step");
   hand.click("RUN/step");
   display.kill();
@@ -161,7 +161,7 @@ void ask_for_the_clipboard_and_go(const std::string& display_name) {
 TEST(Window, AProgramThatAsksForTheCopiedTextAndGoesDoesNoHarm) {
   const TemporaryFolder folder;
   const Display display;
-  DesktopHand hand(display, folder.path(), {write_small_land(folder.path())});
+  DesktopHand hand(display, folder.path(), {write_small_terrain(folder.path())});
   hand.wait_for("RUN/step");
   hand.edit("RUN/steps to run");
   hand.key("ctrl+c");
@@ -172,11 +172,11 @@ TEST(Window, AProgramThatAsksForTheCopiedTextAndGoesDoesNoHarm) {
   EXPECT_EQ(hand.wait(), 0) << hand.errors();
 }
 
-/// The window over a small land.
-struct SmallLand : testing::Test {
+/// The window over a small terrain.
+struct SmallTerrain : testing::Test {
   const TemporaryFolder folder;
   const Display display;
-  DesktopHand hand{display, folder.path(), {write_small_land(folder.path())}};
+  DesktopHand hand{display, folder.path(), {write_small_terrain(folder.path())}};
   void SetUp() override { hand.wait_for("RUN/step"); }
 };
 
@@ -186,7 +186,7 @@ void use_keyboard(const Display& display, const std::string& country) {
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
 }
 
-TEST_F(SmallLand, ShortcutsWorkOnKeyboardsOfOtherCountries) {
+TEST_F(SmallTerrain, ShortcutsWorkOnKeyboardsOfOtherCountries) {
   // By the key's number: 32 is O, 10 the 1; 37 is Ctrl.
   use_keyboard(display, "ru");
   hand.raw("keydown 37 key 32 keyup 37");
@@ -203,7 +203,7 @@ TEST_F(SmallLand, ShortcutsWorkOnKeyboardsOfOtherCountries) {
   EXPECT_EQ(hand.wait(), 0) << hand.errors();
 }
 
-TEST_F(SmallLand, DeadKeysAndOtherScriptsAreTyped) {
+TEST_F(SmallTerrain, DeadKeysAndOtherScriptsAreTyped) {
   use_keyboard(display, "fr");
   hand.click("LOOK/view name");
   hand.raw("key d key dead_circumflex key e");
@@ -216,7 +216,7 @@ TEST_F(SmallLand, DeadKeysAndOtherScriptsAreTyped) {
   hand.wait_for_file(folder / "config" / "erg" / "views" / "\u043f\u0449\u0448.json");
 }
 
-TEST_F(SmallLand, ADecimalCommaIsADecimalPoint) {
+TEST_F(SmallTerrain, ADecimalCommaIsADecimalPoint) {
   hand.click("SETUP/fold");  // so that WIND is in sight
   hand.enter("WIND/strength", "2,5");
   hand.key("ctrl+s");
@@ -229,7 +229,7 @@ TEST_F(SmallLand, ADecimalCommaIsADecimalPoint) {
 TEST(Window, WithoutAFolderForSessionsThatIsSaidAtOnce) {
   const TemporaryFolder folder;
   const Display display;
-  DesktopHand hand(display, folder.path(), {write_small_land(folder.path())},
+  DesktopHand hand(display, folder.path(), {write_small_terrain(folder.path())},
                    {{"XDG_STATE_HOME", ""}, {"XDG_CONFIG_HOME", ""}, {"HOME", ""}});
   hand.wait_for("RUN/step");
   EXPECT_NE(hand.errors().find("nothing is saved by itself"), std::string::npos) << hand.errors();
@@ -241,7 +241,7 @@ TEST(Window, WithoutAFolderForSessionsThatIsSaidAtOnce) {
 TEST(Window, AnOpenGLThatIsTooOldIsSaidAndNothingHappens) {
   const TemporaryFolder folder;
   const Display display;
-  DesktopHand hand(display, folder.path(), {write_small_land(folder.path())},
+  DesktopHand hand(display, folder.path(), {write_small_terrain(folder.path())},
                    {{"MESA_GL_VERSION_OVERRIDE", "2.1"}, {"MESA_GLSL_VERSION_OVERRIDE", "120"}});
   EXPECT_EQ(hand.wait(), 1);
   EXPECT_NE(hand.errors().find("OpenGL version 3.3 is needed"), std::string::npos) << hand.errors();

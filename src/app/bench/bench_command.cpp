@@ -13,7 +13,7 @@
 #include "app/cli/options.h"
 #include "app/cli/text_table.h"
 #include "compute/executor.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "core/terrain.h"
 #include "forcing/bearing.h"
 #include "models/grains/grains.h"

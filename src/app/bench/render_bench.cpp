@@ -13,8 +13,8 @@
 
 namespace erg::app {
 
-using render::RenderEffort;
 using render::Renderer;
+using render::RenderQuality;
 
 namespace {
 
@@ -36,20 +36,20 @@ PictureTime time_of(int turns, const Work& work) {
 }
 
 /// Transverse dunes, as they stand before the first step.
-Terrain bench_land(int grid) {
+Terrain bench_terrain(int grid) {
   return sim::build_scene(bench_config("momiji", grid, {"scene.kind=transverse"}), 1.0 / 3);
 }
 
-RenderBenchRow measure(Terrain& terrain, const RenderEffort& effort, const std::string& quality, int turns) {
+RenderBenchRow measure(Terrain& terrain, const RenderQuality& quality, const std::string& name, int turns) {
   Renderer renderer;
-  renderer.set_effort(effort);
+  renderer.set_quality(quality);
   render::TerrainView view;
   view.terrain = &terrain;
   view.wind = 270;
   std::uint64_t version = 1;
   view.version = version;
   render::Look look;
-  picture::Camera camera = render::camera_preset("oblique", Renderer::land_of(view, look),
+  picture::Camera camera = render::camera_preset("oblique", Renderer::box_of(view, look),
                                                  static_cast<double>(bench_size.width) / bench_size.height);
   render::PictureTarget target;
   target.prepare(bench_size.width, bench_size.height);
@@ -68,7 +68,7 @@ RenderBenchRow measure(Terrain& terrain, const RenderEffort& effort, const std::
 
   RenderBenchRow row;
   row.grid = terrain.nx();
-  row.quality = quality;
+  row.quality = name;
   row.first = time_of(1, draw);
   row.turned = time_of(turns, [&] {
     render::orbit(camera, 5, 0);
@@ -77,7 +77,7 @@ RenderBenchRow measure(Terrain& terrain, const RenderEffort& effort, const std::
   row.tenth = time_of(turns, [&] { change(terrain.ny() / 10); });
   row.all = time_of(turns, [&] { change(terrain.ny()); });
   row.triangles = renderer.draw(view, look, camera, bench_size).triangles;
-  const int block = (terrain.nx() + effort.largest_side - 1) / effort.largest_side;
+  const int block = (terrain.nx() + quality.largest_side - 1) / quality.largest_side;
   const std::string side = std::to_string(terrain.nx() / block);
   row.drawn = side + " x " + side;
   return row;
@@ -92,9 +92,9 @@ std::vector<RenderBenchRow> run_render_bench(const std::vector<int>& grids, cons
   std::vector<RenderBenchRow> rows;
   for (const int grid : grids) {
     std::cerr << "drawing " << grid << " x " << grid << " cells\n";
-    Terrain terrain = bench_land(grid);
-    rows.push_back(measure(terrain, RenderEffort::moving(context->is_software()), "moving", 5));
-    rows.push_back(measure(terrain, RenderEffort::still(), "still", 1));
+    Terrain terrain = bench_terrain(grid);
+    rows.push_back(measure(terrain, RenderQuality::moving(context->is_software()), "moving", 5));
+    rows.push_back(measure(terrain, RenderQuality::still(), "still", 1));
   }
   return rows;
 }

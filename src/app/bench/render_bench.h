@@ -18,7 +18,7 @@ struct RenderBenchRow {
   std::string quality;  ///< "moving" or "still"
   std::string drawn;    ///< what is drawn of the grid: "512 x 512"
   PictureTime first;    ///< with programs compiled and everything uploaded and computed
-  PictureTime turned;   ///< the camera turned, the land as before
+  PictureTime turned;   ///< the camera turned, the terrain as before
   PictureTime tenth;    ///< a tenth of the cells changed, side by side
   PictureTime all;      ///< cells changed everywhere
   long long triangles = 0;

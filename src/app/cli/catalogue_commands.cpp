@@ -6,7 +6,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/text_table.h"
-#include "core/joined.h"
+#include "core/join.h"
+#include "core/number_text.h"
 #include "models/model.h"
 #include "sim/step_time.h"
 
@@ -16,15 +17,15 @@ namespace {
 std::string condition_text(const Parameter& parameter) {
   if (parameter.active_if.size() < 2) return "";
   const std::span<const std::string> condition = parameter.active_if;
-  return " Only with " + condition.front() + " " + joined(condition.subspan(1), " or ") + ".";
+  return " Only with " + condition.front() + " " + join(condition.subspan(1), " or ") + ".";
 }
 
 TextTable parameter_table(const Parameters& parameters) {
   TextTable table;
   table.heading = {"key", "default", "accepts", "unit", "meaning", "source"};
   for (const Parameter& parameter : parameters) {
-    table.rows.push_back({parameter.key, value_text(parameter.default_value), accepted_text(parameter), parameter.unit,
-                          parameter.meaning + condition_text(parameter), parameter.source});
+    table.rows.push_back({parameter.key, value_text(parameter.default_value), accepted_text(parameter),
+                          unit_text(parameter.unit), parameter.meaning + condition_text(parameter), parameter.source});
   }
   return table;
 }
@@ -33,21 +34,21 @@ TextTable field_table(const std::vector<FieldInfo>& fields) {
   TextTable table;
   table.heading = {"field", "unit", "range", "meaning"};
   for (const FieldInfo& field : fields) {
-    table.rows.push_back(
-        {field.key, field.unit, fixed_text(field.minimum, 2) + " to " + fixed_text(field.maximum, 2), field.meaning});
+    table.rows.push_back({field.key, unit_text(field.unit),
+                          fixed_text(field.minimum, 2) + " to " + fixed_text(field.maximum, 2), field.meaning});
   }
   return table;
 }
 
 /// With what a config begins that says nothing but its model.
 std::string start_text(const ModelStart& start) {
-  const std::string swing = start.spread > 0 ? " that swings by " + value_text(start.spread) + " deg" : "";
+  const std::string swing = start.spread > 0 ? " that swings by " + value_text(start.spread) + "°" : "";
   return "cells of " + value_text(start.cell_size) + " m, a wind of strength " + value_text(start.strength) + swing +
          ", " + value_text(start.sand) + " slabs a cell";
 }
 
 std::string weather_text(const ModelInfo& info) {
-  return info.channels.empty() ? "nothing" : joined(info.channels, ", ");
+  return info.channels.empty() ? "nothing" : join(info.channels, ", ");
 }
 
 ExitCode print_models() {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/text_table.h"
+#include "core/number_text.h"
 #include "io/config/config_file.h"
 #include "io/formats/table.h"
 
@@ -39,7 +40,7 @@ std::string shown(double value, const std::string& unit) {
 
 std::string with_unit(const RunNumber& number) {
   if (number.unit.empty()) return number.label;
-  return number.label + ", " + (number.unit == "deg" ? "°" : number.unit);
+  return number.label + ", " + unit_text(number.unit);
 }
 
 /// Columns `first` and on of some rows.

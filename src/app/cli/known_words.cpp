@@ -3,16 +3,16 @@
 #include <algorithm>
 
 #include "core/errors.h"
-#include "core/joined.h"
+#include "core/join.h"
 
 namespace erg::app {
 
 CLI::Validator one_of(const std::vector<std::string>& words) {
   const auto check = [words](std::string& word) -> std::string {
     if (std::ranges::find(words, word) != words.end()) return "";
-    return in_quotes(word) + " is none of these; " + suggestion(word, words);
+    return quote(word) + " is none of these; " + suggestion(word, words);
   };
-  return {check, "{" + joined(words, ",") + "}", "one of a few words"};
+  return {check, "{" + join(words, ",") + "}", "one of a few words"};
 }
 
 }  // namespace erg::app

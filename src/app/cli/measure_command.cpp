@@ -1,4 +1,4 @@
-// `erg measure`: the dunes of a config's land or of a checkpoint, one by one and together.
+// `erg measure`: the dunes of a config's terrain or of a checkpoint, one by one and together.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -102,9 +102,7 @@ void add_measure_command(CLI::App& program, Action& action) {
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command
-      ->add_option("--steps", request->steps,
-                   "Step to measure (default: a config's last step; a checkpoint as it stands)")
+  command->add_option("--steps", request->steps, "Step to measure (default: a config's last step; a checkpoint's own)")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--every", request->every, "Measure every so many steps from the start on, and the last")
       ->check(CLI::PositiveNumber);

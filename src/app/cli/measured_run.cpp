@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analysis/crests.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "core/units.h"
 #include "forcing/shadow.h"
 #include "io/config/config_file.h"

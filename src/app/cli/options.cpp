@@ -6,7 +6,7 @@
 
 #include "compute/executor.h"
 #include "core/errors.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 
 namespace erg::app {
 namespace {
@@ -30,7 +30,7 @@ CLI::Validator whole_number(std::int64_t least, std::int64_t most) {
   return {[=](std::string& text) {
             const auto value = number_from<std::int64_t>(text);
             if (value && *value >= least && *value <= most) return std::string();
-            return "is " + in_quotes(text) + "; expected a whole number, " + range;
+            return "is " + quote(text) + "; expected a whole number, " + range;
           },
           range, "whole_number"};
 }
@@ -38,7 +38,7 @@ CLI::Validator whole_number(std::int64_t least, std::int64_t most) {
 CLI::Validator finite_number() {
   return {[](std::string& text) {
             const auto value = number_from<double>(text);
-            return value && std::isfinite(*value) ? std::string() : "is " + in_quotes(text) + "; expected a number";
+            return value && std::isfinite(*value) ? std::string() : "is " + quote(text) + "; expected a number";
           },
           "", "finite_number"};
 }

@@ -6,7 +6,7 @@
 #include "app/cli/known_words.h"
 #include "app/cli/options.h"
 #include "core/errors.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "forcing/bearing.h"
 #include "forcing/shadow.h"
 #include "io/files/given_file.h"
@@ -37,8 +37,8 @@ void parse_sun(const std::string& text, render::Look& look) {
   look.sun_altitude = *altitude;
 }
 
-picture::Camera find_camera(const std::string& name, const render::LandBox& land, double aspect) {
-  return io::file_trouble(name, "camera file") ? render::camera_preset(name, land, aspect) : io::read_camera(name);
+picture::Camera find_camera(const std::string& name, const render::TerrainBox& box, double aspect) {
+  return io::file_trouble(name, "camera file") ? render::camera_preset(name, box, aspect) : io::read_camera(name);
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ CLI::Option_group& add_picture_options(CLI::App& program, PictureRequest& reques
       ->check(one_of(render::offscreen_kinds()));
   command.add_flag("--wireframe", request.look.wireframe, "Show the edges of the strips");
   command.add_flag("--raw", request.look.raw_cells, "Straight lines from cell to cell, no smoothing");
-  command.add_flag("--transparent", request.look.transparent, "Nothing behind the land, nothing written over it");
+  command.add_flag("--transparent", request.look.transparent, "Nothing behind the terrain, nothing written over it");
   command.add_flag("--no-legend", request.no_legend, "No legend, wind arrow and scale bar");
   return command;
 }
@@ -86,7 +86,7 @@ PicturePlan plan_picture(const PictureRequest& request, const render::TerrainVie
   if (!request.sun.empty()) parse_sun(request.sun, plan.look);
   render::check_look(plan.look, view);
   const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-  plan.camera = find_camera(request.camera, render::Renderer::land_of(view, plan.look), aspect);
+  plan.camera = find_camera(request.camera, render::Renderer::box_of(view, plan.look), aspect);
   constexpr int to_the_horizon = 6;
   const bool horizon =
       plan.look.is_material() && request.camera != "block" && !plan.camera.orthographic && !plan.look.transparent;

@@ -1,4 +1,4 @@
-// `erg render`: a picture of a config's land or of a checkpoint.
+// `erg render`: a picture of a config's terrain or of a checkpoint.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -34,7 +34,7 @@ struct RenderRequest {
   std::string out;
   std::int64_t steps = -1;  ///< -1: a config's own number; a checkpoint as it is
   std::vector<std::string> assignments;
-  int paths = 0;  ///< ways of grains to draw
+  int paths = 0;  ///< trajectories of grains to draw
   bool quiet = false;
   PictureRequest picture;
 };
@@ -47,7 +47,7 @@ std::int64_t last_step(const RenderRequest& request, const Simulation& simulatio
   return is_checkpoint(request.source) ? simulation.step_count() : simulation.config().run.integer("steps");
 }
 
-/// In small letters.
+/// In lower case.
 std::string ending_of(const std::string& name) {
   std::string ending = std::filesystem::path(name).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -142,13 +142,13 @@ void add_render_command(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("render", "Draw a picture of a run");
   command->add_option("SOURCE", request->source, "Config file, name of a preset, or checkpoint")->required();
   command->add_option("--out", request->out, "PNG or JPEG file to write")->required();
-  command
-      ->add_option("--steps", request->steps, "Step to draw (default: a config's last step; a checkpoint as it stands)")
+  command->add_option("--steps", request->steps, "Step to draw (default: a config's last step; a checkpoint's own)")
       ->check(whole_number(0, most_steps));
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--paths", request->paths, "Draw the ways of so many grains in the last step (model grains)")
+  command
+      ->add_option("--paths", request->paths, "Draw the trajectories of so many grains in the last step (model grains)")
       ->check(whole_number(0, 100000));
   command->add_flag("--quiet", request->quiet, "Print nothing but errors and notes");
   add_instructions_option(*command);

@@ -18,7 +18,7 @@
 #include "app/cli/tell.h"
 #include "app/cli/text_table.h"
 #include "app/cli/way_on.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "forcing/bearing.h"
 #include "io/config/provenance.h"
 #include "io/files/atomic_file.h"

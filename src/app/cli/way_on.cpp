@@ -5,7 +5,7 @@
 
 #include "app/cli/tell.h"
 #include "core/errors.h"
-#include "core/joined.h"
+#include "core/join.h"
 
 namespace erg::app {
 
@@ -42,7 +42,7 @@ std::string way_on(const RunRequest& request, const std::filesystem::path& check
   std::string command = "erg run --resume " + path(checkpoint.string());
   if (writes_files(request)) command += " --out " + path(output_folder(request));
   if (request.every > 0) command += " --every " + std::to_string(request.every);
-  if (!request.formats.empty()) command += " --format " + joined(request.formats, ",");
+  if (!request.formats.empty()) command += " --format " + join(request.formats, ",");
   if (!request.stats.empty()) command += " --stats " + path(request.stats);
   return command;
 }

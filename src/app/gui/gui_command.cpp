@@ -40,7 +40,7 @@ void add_gui_command(CLI::App& program, Action& action) {
   const auto config = std::make_shared<std::string>();
   CLI::App* command = program.add_subcommand("gui", "Open the window (so does `erg` alone)");
   command->add_option("CONFIG", *config, "Config file, name of a preset, or checkpoint (default: the gallery)");
-  command->add_option("--scale", request->scale, "Size of letters and controls (default: as the screen suggests)")
+  command->add_option("--scale", request->scale, "Size of text and controls (default: as the screen suggests)")
       ->check(CLI::Range(Settings::smallest_scale, Settings::largest_scale));
   command->add_option("--width", request->width, "Width of the window in pixels")->check(whole_number(640, 16384));
   command->add_option("--height", request->height, "Height of the window in pixels")->check(whole_number(480, 16384));

@@ -25,7 +25,7 @@ std::string executors_section(const ValidationOptions& options);
 std::string bearings_section(const ValidationOptions& options);
 /// Which forms sintering snow takes, by wind and calm hours.
 std::string snow_section(const ValidationOptions& options);
-/// Shapes of dunes among plants, beside the same land without plants.
+/// Shapes of dunes among plants, beside the same terrain without plants.
 std::string plants_section(const ValidationOptions& options);
 /// Ripples of the grain model under several winds.
 std::string ripples_section(const ValidationOptions& options);

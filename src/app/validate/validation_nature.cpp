@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/joined.h"
+#include "core/join.h"
 
 namespace erg::app {
 
@@ -43,7 +43,7 @@ std::string nature_section(const ValidationOptions& options) {
       "**fails**: neither. A law that fails is a limit of the published rules or of ours; where it was found out "
       "which, "
       "the text beside the table says so. `erg validate --section nature --law NAME` measures one of them: " +
-      joined(nature_law_names(), ", ") + ".\n";
+      join(nature_law_names(), ", ") + ".\n";
   for (const NatureLaw& law : nature_laws) {
     if (options.law == law.name) return law.measure(options);
     if (options.law.empty()) section += "\n" + law.measure(options);

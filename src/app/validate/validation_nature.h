@@ -28,7 +28,7 @@ std::string growth_of_crests(const ValidationOptions& options);
 std::string ripples_against_wind(const ValidationOptions& options);
 /// Mounds of snow that bonds, beside the same without bonding: Sharma et al. 2019.
 std::string sintering_slows_mounds(const ValidationOptions& options);
-/// Arms of parabolic dunes and tails of nebkhas, beside the same land without plants.
+/// Arms of parabolic dunes and tails of nebkhas, beside the same terrain without plants.
 std::string plants_make_shapes(const ValidationOptions& options);
 
 /// A law's word: "holds" when `error` is at most `bound`, "partly" up to twice that, else "**fails**".

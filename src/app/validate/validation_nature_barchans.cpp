@@ -15,7 +15,7 @@ constexpr double natural_slip_face = 33;  // degrees
 constexpr double slip_face_bound = 3;
 constexpr double horns_bound = 1.6;  // the longer over the shorter
 
-/// Sums over the dunes of a land, each counted by its cells.
+/// Sums over the dunes of a terrain, each counted by its cells.
 struct BarchanMeans {
   double dunes = 0;
   double width = 0;   ///< in heights

@@ -1,4 +1,4 @@
-// What plants do to the shapes of dunes, beside the same land without them.
+// What plants do to the shapes of dunes, beside the same terrain without them.
 #include <cmath>
 
 #include "app/validate/validation_nature.h"
@@ -62,7 +62,7 @@ std::string plants_make_shapes(const ValidationOptions& options) {
          "sand "
          "behind the plants that hold them. Presets of `cfg/` (steps 2000, 1500 and 500), mean over " +
          count_text(seeds, "seed") +
-         ", and the same land without plants, by the same threshold; arms and length / width as in the section on "
+         ", and the same terrain without plants, by the same threshold; arms and length / width as in the section on "
          "dunes "
          "among plants. sigmas: the difference of the means, in the direction of the law, over its standard error; "
          "*holds* from " +

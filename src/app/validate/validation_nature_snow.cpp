@@ -80,7 +80,7 @@ std::string sintering_slows_mounds(const ValidationOptions& options) {
     table.rows.back().back() = slower > slow_down_bound ? "holds" : "**fails**";
   }
   return "### Bonding stops mounds of snow\n\nSintering overtakes what moves slowly: large dunes of snow stop, small "
-         "ones go on (Sharma et al. 2019). Mounds at 9 m/s and -10 deg C, mean over " +
+         "ones go on (Sharma et al. 2019). Mounds at 9 m/s and -10 °C, mean over " +
          count_text(seeds, "seed") +
          "; *does not*: `bonding_time` 1000000 h. Way of the middle of what lies near the thickest line across the "
          "wind, cells of 0.1 m in an hour. *holds* where the ratio of the last hour to the first is lower by more "

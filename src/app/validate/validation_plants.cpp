@@ -51,7 +51,7 @@ DuneMeans shapes(const PlantScene& scene, int seed) {
   sim::Config config = io::read_config(config_path(scene.preset));
   for (const std::string& setting : scene.settings) set_from_text(config, setting);
   set_from_text(config, "run.executor=cpu");
-  set_from_text(config, "run.threads=1");  // small lands: two threads would wait for each other more than they work
+  set_from_text(config, "run.threads=1");  // small terrains: two threads would wait for each other more than they work
   set_from_text(config, "run.seed=" + std::to_string(seed));
   sim::Simulation simulation = io::start_simulation(config);
   while (simulation.step_count() < scene.steps && !simulation.finished()) simulation.step();
@@ -72,8 +72,8 @@ std::string plants_section(const ValidationOptions& options) {
          "upwind of the middle (parabolic), positive where they lie downwind (barchan), 0 for an ellipse.\n\n" +
          table.markdown() +
          "\n**Parabolic dunes that begin as blowouts have clear arms, those that begin as nebkhas hardly any**: on 256 "
-         "x 256 cells single ones have them, their mean does not differ from land without plants. Around a smaller "
-         "torus, where dunes come by more often in as many steps, it does. Land with and without plants is outlined "
+         "x 256 cells single ones have them, their mean does not differ from terrain without plants. Around a smaller "
+         "torus, where dunes come by more often in as many steps, it does. Terrain with and without plants is outlined "
          "from the same thickness on: nebkhas are then longer than the bare dunes beside them, which are low.\n";
 }
 

@@ -8,7 +8,7 @@
 
 namespace erg::app {
 
-/// A preset of plants, or the same land changed by `settings`, at one step.
+/// A preset of plants, or the same terrain changed by `settings`, at one step.
 struct PlantScene {
   const char* name;
   const char* preset;

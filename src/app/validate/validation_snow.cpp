@@ -59,7 +59,7 @@ std::string snow_section(const ValidationOptions& options) {
       options.quick ? std::vector<double>{4, 12, 22} : std::vector<double>{4, 7, 10, 13, 16, 20, 25};
   const std::vector<int> calm = options.quick ? std::vector<int>{0, 60} : std::vector<int>{0, 24, 120};
   std::string section =
-      "## Forms of sintering snow, by wind and calm hours\n\n128 x 128 cells, -10 deg C, one seed, the defaults of "
+      "## Forms of sintering snow, by wind and calm hours\n\n128 x 128 cells, -10 °C, one seed, the defaults of "
       "`erg model snow_sintering`. In brackets: share of the squared slope that lies across the wind (ridges across it "
       "0, along it 1), skew of the slope along the wind (positive: faces toward the wind are the steeper ones), "
       "standard deviation of height, and share of the cells on which bonded snow lies bare. " +

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "io/formats/heightmap.h"
 
 namespace erg::io {
@@ -31,7 +31,9 @@ HeightPictureOptions scene_options(const Config& config) {
           no_data_rule(config.scene.text("image_nodata"))};
 }
 
-std::string text_of(const HeightRange& range) { return exact_text(range.low) + " to " + exact_text(range.high) + " m"; }
+std::string text_of(const HeightRange& range) {
+  return format_shortest(range.low) + " to " + format_shortest(range.high) + " m";
+}
 
 void tell_heights(const Config& config, const sim::HeightPicture& picture, std::vector<std::string>& notes) {
   const HeightRange used = sim::image_heights(config.scene, picture);
@@ -57,8 +59,8 @@ bool looks_like_degrees(double cell_size) {
 void tell_degrees(const Config& config, std::vector<std::string>& notes) {
   const double cell_size = config.grid.real("cell_size");
   if (!looks_like_degrees(cell_size)) return;
-  notes.push_back("cell_size is " + exact_text(cell_size) + " m, and looks like " +
-                  exact_text(std::round(cell_size * 3600)) +
+  notes.push_back("cell_size is " + format_shortest(cell_size) + " m, and looks like " +
+                  format_shortest(std::round(cell_size * 3600)) +
                   " arc seconds in degrees; a degree is 111 km from south to north");
 }
 

@@ -59,12 +59,11 @@ void read_picture(ParameterValues& values, const fs::path& config_path, int line
   std::error_code failed;
   if (fs::is_regular_file(picture, failed)) return;
   if (!fs::exists(fs::symlink_status(picture, failed))) {
-    mistakes.add(line, "there is no picture " + in_quotes(picture),
-                 missing_picture_remedy(picture, written, config_path));
+    mistakes.add(line, "there is no picture " + quote(picture), missing_picture_remedy(picture, written, config_path));
   } else if (const auto trouble = file_trouble(picture, "picture")) {
-    mistakes.add(line, in_quotes(picture) + ": " + trouble->problem, trouble->remedy);
+    mistakes.add(line, quote(picture) + ": " + trouble->problem, trouble->remedy);
   } else {
-    mistakes.add(line, in_quotes(picture) + " is a pipe or a device", "a picture has to be a file");
+    mistakes.add(line, quote(picture) + " is a pipe or a device", "a picture has to be a file");
   }
 }
 

@@ -104,10 +104,10 @@ class ConfigReader {
     for (const JsonMember& member : object) {
       const auto [first, is_new] = lines.emplace(member.key, member.line);
       if (!is_new) {
-        mistakes().add(member.line, "duplicate key " + in_quotes(member.key),
+        mistakes().add(member.line, "duplicate key " + quote(member.key),
                        "it stands on line " + std::to_string(first->second) + " already; keep one of the two");
       } else if (std::ranges::find(known, member.key) == known.end()) {
-        mistakes().add(member.line, "unknown key " + in_quotes(member.key), better_key(member.key, known));
+        mistakes().add(member.line, "unknown key " + quote(member.key), better_key(member.key, known));
       }
     }
   }
@@ -184,7 +184,7 @@ class ConfigReader {
     }
     std::string key = *node->text();
     if (std::ranges::find(keys, key) == keys.end()) {
-      mistakes().add(node->line, "unknown model " + in_quotes(key), suggestion(key, keys));
+      mistakes().add(node->line, "unknown model " + quote(key), suggestion(key, keys));
       key = nearest_word(key, keys);
     }
     if (key.empty()) return false;
@@ -288,7 +288,7 @@ class ConfigReader {
     const std::string& choice = path->active_if.front();
     const JsonNode* wanting = find(*members->object(), choice);
     mistakes().add(wanting != nullptr ? wanting->line : members->line,
-                   choice + " " + in_quotes(values.text(choice)) + " needs a picture",
+                   choice + " " + quote(values.text(choice)) + " needs a picture",
                    "add \"" + path->key + "\": \"picture.png\" beside it");
   }
 
@@ -308,7 +308,7 @@ class ConfigReader {
     for (const Parameter& column : constant) {
       const JsonNode* beside = find(*wind, column.key);
       if (beside == nullptr) continue;
-      mistakes().add(beside->line, in_quotes(column.key) + " stands beside \"seasons\"", "move it into each season");
+      mistakes().add(beside->line, quote(column.key) + " stands beside \"seasons\"", "move it into each season");
     }
     const JsonNode::Array* list = entries(*seasons, "seasons", "season");
     if (list == nullptr) return;

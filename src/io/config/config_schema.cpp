@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/number_text.h"
 #include "forcing/bearing.h"
 #include "io/config/config_file.h"
 #include "io/files/json_print.h"
@@ -28,7 +29,7 @@ Json object_schema(Json properties, Json required = Json::array()) {
 std::string description(const Parameter& parameter) {
   std::string text = parameter.meaning;
   if (parameter.notation != nullptr) return text.substr(0, text.size() - 1) + ": " + accepted_text(parameter) + ".";
-  if (!parameter.unit.empty()) text += " Unit: " + parameter.unit + ".";
+  if (!parameter.unit.empty()) text += " Unit: " + unit_text(parameter.unit) + ".";
   if (parameter.kind() == ParameterKind::curve) text += " Vertices [x, y]; x: " + parameter.x_label + ".";
   if (!parameter.source.empty()) text += " Source: " + parameter.source + ".";
   return text;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "core/random.h"
 #include "io/config/config_file.h"
 #include "io/files/atomic_file.h"
@@ -50,7 +50,7 @@ MetadataEntries metadata(const Provenance& provenance) {
   } else {
     entries.emplace_back("erg:config-file", config_file_name(provenance));
   }
-  if (std::isfinite(provenance.days)) entries.emplace_back("erg:days", exact_text(provenance.days));
+  if (std::isfinite(provenance.days)) entries.emplace_back("erg:days", format_shortest(provenance.days));
   return entries;
 }
 

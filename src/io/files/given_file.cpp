@@ -63,7 +63,7 @@ std::vector<std::string> readings_of(const std::string& path) {
 Mistake link_trouble(const fs::path& path) {
   std::error_code failed;
   const fs::path target = fs::read_symlink(path, failed);
-  return {path.string(), "this is a link to " + in_quotes(target.string()) + ", and nothing is there", "mend the link"};
+  return {path.string(), "this is a link to " + quote(target.string()) + ", and nothing is there", "mend the link"};
 }
 
 std::string read_all(std::istream& stream, const fs::path& path) {

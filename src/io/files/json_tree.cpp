@@ -164,7 +164,7 @@ Mistake TreeBuilder::syntax_mistake(std::size_t bytes_read, std::string message)
   if (const std::size_t number = message.find("number overflow parsing "); number != std::string::npos) {
     std::string literal = message.substr(number + std::string_view("number overflow parsing ").size());
     std::erase(literal, '\'');
-    return {place, "the number " + in_quotes(literal) + " is too large", "write a number that a config accepts"};
+    return {place, "the number " + quote(literal) + " is too large", "write a number that a config accepts"};
   }
   std::string expected = cut_at(message, "; expected ");
   cut_at(message, "; last read: ");
@@ -206,7 +206,7 @@ std::optional<double> JsonNode::number() const {
 std::string JsonNode::shown() const {
   if (array() != nullptr) return "a list";
   if (object() != nullptr) return "an object";
-  if (const std::string* string = text()) return in_quotes(*string);
+  if (const std::string* string = text()) return quote(*string);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return value_text(*whole);
   if (const auto* real = std::get_if<double>(&value)) return value_text(*real);

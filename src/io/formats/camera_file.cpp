@@ -64,7 +64,7 @@ class CameraReader {
       if (member.key == number.key) return read_number(member, number);
     }
     const std::vector<std::string> known{"target", "bearing", "altitude", "distance", "opening", "orthographic"};
-    complain(member.line, "unknown key " + in_quotes(member.key), suggestion(member.key, known));
+    complain(member.line, "unknown key " + quote(member.key), suggestion(member.key, known));
   }
 
   void read_number(const JsonMember& member, const CameraNumber& number) {

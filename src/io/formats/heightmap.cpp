@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/errors.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "core/surface_range.h"
 #include "io/files/file_kind.h"
 #include "io/files/given_file.h"
@@ -187,9 +187,9 @@ void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, 
       image.pixels.push_back(static_cast<std::uint16_t>(std::lround((terrain.height(x, y) - low) * scale)));
     }
   }
-  MetadataEntries entries = {{low_key, exact_text(terrain.metres(low))},
-                             {high_key, exact_text(terrain.metres(high))},
-                             {cell_key, exact_text(terrain.cell_size())}};
+  MetadataEntries entries = {{low_key, format_shortest(terrain.metres(low))},
+                             {high_key, format_shortest(terrain.metres(high))},
+                             {cell_key, format_shortest(terrain.cell_size())}};
   for (auto& entry : metadata(provenance)) entries.push_back(std::move(entry));
   keep_config_beside(path, provenance);
   write_png(path, image, entries);

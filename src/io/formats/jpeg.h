@@ -1,4 +1,4 @@
-// JPEG files: pictures of land, small ones for the gallery among them.
+// JPEG files: pictures of terrain, small ones for the gallery among them.
 #pragma once
 
 #include <filesystem>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "forcing/bearing.h"
 #include "picture/label.h"
 #include "picture/marks.h"
@@ -23,7 +24,7 @@ constexpr int margin = 14;
 
 // Draws arrow and bearing at the right edge; returns the first pixel used.
 int draw_wind(RgbImage& image, int baseline, const WindNow& wind) {
-  const std::string text = "wind " + picture::number_text(std::round(wind.mean_bearing())) + " deg";
+  const std::string text = "wind " + picture::number_text(std::round(wind.mean_bearing())) + "°";
   const int left = image.width - margin - label_width(text, text_size);
   draw_label(image, text, left, baseline, text_size, ink);
   const Direction toward = downwind(wind.mean_bearing());

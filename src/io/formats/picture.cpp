@@ -60,7 +60,7 @@ Overlay make_overlay(const Terrain& terrain, const MapScale& scale, const std::s
     const Grid<float> values = nearest_blocks(field.values, scale.blocks);
     return {&field, &find_palette(field.info.palette), smooth_enlarge(values, 0.5, scale.zoom, periodic)};
   }
-  throw InputError("field", "this run has no field " + in_quotes(key),
+  throw InputError("field", "this run has no field " + quote(key),
                    keys.empty() ? "its model declares none" : suggestion(key, keys));
 }
 

@@ -6,7 +6,7 @@
 #include "analysis/crests.h"
 #include "analysis/morphometry.h"
 #include "analysis/spectrum.h"
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "forcing/shadow.h"
 #include "sim/step_time.h"
 
@@ -39,7 +39,7 @@ const std::vector<RunNumber>& run_numbers() {
       {"crest_spacing", "Spacing of crests", "cells", "Mean distance from crest to crest along the wind, counted."},
       {"crest_bearing", "Crests run", "deg",
        "Axis along which crests run, clockwise from north; none where their alignment is below " +
-           exact_text(analysis::least_alignment) + "."},
+           format_shortest(analysis::least_alignment) + "."},
       {"alignment", "Alignment", "", "How far all crests run one way: 1 all, 0 none."},
       {"migration_x", "Migration eastward", "cells/step", "Motion of the pattern over the last steps."},
       {"migration_y", "Migration northward", "cells/step", "Motion of the pattern over the last steps."},

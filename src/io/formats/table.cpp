@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/errors.h"
-#include "core/exact_text.h"
-#include "core/joined.h"
+#include "core/join.h"
+#include "core/number_text.h"
 #include "io/files/atomic_file.h"
 #include "io/formats/comments.h"
 #include "io/formats/table_head.h"
@@ -18,7 +18,7 @@ namespace erg::io {
 namespace {
 
 /// Empty where the number is unknown.
-std::string cell_text(double value) { return std::isfinite(value) ? exact_text(value) : std::string(); }
+std::string cell_text(double value) { return std::isfinite(value) ? format_shortest(value) : std::string(); }
 
 /// One line of the table.
 std::string row_text(std::span<const double> values, std::size_t columns) {
@@ -41,7 +41,7 @@ double first_value(const std::string& row, std::size_t columns) {
 
 /// A table without rows.
 std::string head_text(const std::vector<std::string>& columns, const Provenance& provenance) {
-  return comments("# ", provenance) + joined(columns, ",") + "\n";
+  return comments("# ", provenance) + join(columns, ",") + "\n";
 }
 
 /// What lies in a table so far.
@@ -96,13 +96,13 @@ TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::
   const TableText old = read_table(path);
   std::string kept = head_text(columns, provenance);
   if (!old.header.empty()) {
-    if (old.header != joined(columns, ",")) {
+    if (old.header != join(columns, ",")) {
       throw InputError(path.string(), "holds other columns than this run writes", "name another folder or remove it");
     }
     if (const std::string why = why_another_run(old.head, provenance, path.parent_path()); !why.empty()) {
       throw InputError(path.string(), "holds the rows of another run: " + why, "name another folder with --out");
     }
-    kept = joined(old.head, "\n") + "\n" + old.header + "\n";
+    kept = join(old.head, "\n") + "\n" + old.header + "\n";
     if (old.head.empty()) kept = old.header + "\n";
     for (const std::string& row : old.rows) {
       const double step = first_value(row, columns.size());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/exact_text.h"
+#include "core/number_text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/raw_bytes.h"
 
@@ -72,7 +72,7 @@ std::string header(const Terrain& terrain, const std::vector<PointArray>& arrays
       << " 0\" Spacing=\"" << cell << ' ' << cell << ' ' << cell << "\">\n    <FieldData>\n";
   for (const auto& [name, text] : metadata(provenance)) out << string_array(name, text);
   out << "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">"
-      << exact_text(std::isfinite(provenance.days) ? provenance.days : static_cast<double>(provenance.step))
+      << format_shortest(std::isfinite(provenance.days) ? provenance.days : static_cast<double>(provenance.step))
       << "</DataArray>\n";
   out << "    </FieldData>\n    <Piece Extent=\"" << extent.str() << "\">\n      <PointData Scalars=\"surface\">\n";
   std::uint64_t offset = 0;

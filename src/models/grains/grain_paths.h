@@ -1,4 +1,4 @@
-// Keeps the ways of grains for pictures.
+// Keeps the trajectories of grains for pictures.
 #pragma once
 
 #include <utility>

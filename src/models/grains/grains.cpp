@@ -165,9 +165,9 @@ std::vector<std::string> explain_grains(const GrainValues& values, double cell_s
                 "grains lift from a friction velocity of %.3f m/s on (%.1f m/s at a height of %g m)",
                 lifting_threshold(values, diameter),
                 profile_speed(values, lifting_threshold(values, diameter), values.wind_height), values.wind_height);
-  std::snprintf(lines[2], sizeof lines[2],
-                "repose %g deg: a step of %d parcel%s (%.1f deg) stands, a larger one slides", values.repose_angle,
-                standing, standing == 1 ? "" : "s", degrees(std::atan(standing * parcel / cell_size)));
+  std::snprintf(lines[2], sizeof lines[2], "repose %g°: a step of %d parcel%s (%.1f°) stands, a larger one slides",
+                values.repose_angle, standing, standing == 1 ? "" : "s",
+                degrees(std::atan(standing * parcel / cell_size)));
   return {lines[0], lines[1], lines[2]};
 }
 

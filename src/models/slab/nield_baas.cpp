@@ -51,8 +51,8 @@ std::vector<std::string> explain_plants(const PlantedSlabs& values, double cell_
   std::vector<std::string> lines = explain_slabs(values, cell_size);
   const int step = StandingSteps::of_angle(values.vegetated_repose_angle, cell_size, values.slab_height).straight;
   char line[120];
-  std::snprintf(line, sizeof line, "repose under plants %g deg: a step of %d slabs stands",
-                values.vegetated_repose_angle, step);
+  std::snprintf(line, sizeof line, "repose under plants %g°: a step of %d slabs stands", values.vegetated_repose_angle,
+                step);
   lines.insert(lines.begin() + 1, line);
   return lines;
 }

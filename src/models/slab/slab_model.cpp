@@ -132,11 +132,11 @@ std::vector<std::string> explain_slabs(const SlabValues& values, double cell_siz
   const StandingSteps steps = standing_steps(values, cell_size);
   const double slab = values.slab_height;
   char repose[160];
-  std::snprintf(repose, sizeof repose, "repose %g deg: a step of %d slab%s (%.1f deg) stands, a larger one slides",
+  std::snprintf(repose, sizeof repose, "repose %g°: a step of %d slab%s (%.1f°) stands, a larger one slides",
                 values.repose_angle, steps.straight, steps.straight == 1 ? "" : "s",
                 degrees(std::atan(steps.straight * slab / cell_size)));
   char shadow[120];
-  std::snprintf(shadow, sizeof shadow, "shadow %g deg: the shadow line falls %.3f slabs a cell", values.shadow_angle,
+  std::snprintf(shadow, sizeof shadow, "shadow %g°: the shadow line falls %.3f slabs a cell", values.shadow_angle,
                 shadow_fall(values.shadow_angle, cell_size, slab));
   return {repose, shadow};
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr SlabFamily packing_family{.timed_by_flux = false};  // else Werner's
 
-/// Fitted: snow at -20 deg C, Alta and tundra, is frozen after 98 days, as in print.
+/// Fitted: snow at -20 °C, Alta and tundra, is frozen after 98 days, as in print.
 constexpr double fitted_rate = 0.0247;
 constexpr double metamorphism = 0.04;  // 1/K, Anderson 1976
 
@@ -51,8 +51,8 @@ Binding<PackingValues> snow_packing_binding() {
         .default_value = fitted_rate,
         .minimum = 0,
         .maximum = 1,
-        .meaning = "Growth of resistance on the first day at 0 deg C. Fitted: with the other "
-                   "defaults all is frozen after 98 days at -20 deg C, as in print."}}};
+        .meaning = "Growth of resistance on the first day at 0 °C. Fitted: with the other "
+                   "defaults all is frozen after 98 days at -20 °C, as in print."}}};
   return Binding<PackingValues>(slab_binding(packing_family), own);
 }
 
@@ -102,8 +102,8 @@ std::vector<std::string> explain_packing(const PackingValues& values, double cel
   for (const double temperature : {-20.0, -15.0, -10.0, -5.0, 0.0}) {
     char text[40];
     const int count = days_to_freeze(values, temperature);
-    std::snprintf(text, sizeof text, " %s at %g deg C%s", count > 0 ? std::to_string(count).c_str() : "never",
-                  temperature, temperature < 0 ? "," : "");
+    std::snprintf(text, sizeof text, " %s at %g °C%s", count > 0 ? std::to_string(count).c_str() : "never", temperature,
+                  temperature < 0 ? "," : "");
     days += text;
   }
   lines.push_back(days);
@@ -175,7 +175,7 @@ ModelType snow_packing() {
                .title = "Snow packing",
                .citation =
                    "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
-                   "printed it is 0 at -20 deg C)",
+                   "printed it is 0 at -20 °C)",
                .makes = "snow ripples that freeze day by day",
                .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
                .step = "a day; polls as many cells as the grid has",

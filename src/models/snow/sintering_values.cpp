@@ -178,7 +178,7 @@ SinteringEntries bonded_parameters() {
         .default_value = 12.0,
         .minimum = 0.01,
         .maximum = 1e6,
-        .meaning = "Mean time in which loose snow bonds at -10 deg C.",
+        .meaning = "Mean time in which loose snow bonds at -10 °C.",
         .source = tuned}},
       {&SinteringValues::bonding_warmth,
        {.key = "bonding_warmth",

@@ -56,7 +56,7 @@ void fill(OctaveTable& table, const Function& function) {
 std::vector<std::string> explain_sintering(const SinteringValues& values, double cell_size) {
   char loose_snow[160], hop[160];
   std::snprintf(loose_snow, sizeof loose_snow,
-                "at -10 deg C loose snow an hour old lifts from %.1f m/s on; bonding takes %.1f h", mean_threshold(-10),
+                "at -10 °C loose snow an hour old lifts from %.1f m/s on; bonding takes %.1f h", mean_threshold(-10),
                 bonding_hours(values, -10));
   std::snprintf(hop, sizeof hop, "a hop in a wind of 10 m/s: %.2f m, %.1f cells", hop_metres(values, 10),
                 hop_metres(values, 10) / cell_size);

@@ -8,7 +8,7 @@
 #include "core/units.h"
 #include "forcing/bearing.h"
 #include "picture/palette.h"
-#include "ui/land/land_view.h"
+#include "ui/land/terrain_panes.h"
 #include "ui/widgets/widgets.h"
 
 namespace erg::ui {
@@ -79,30 +79,30 @@ bool sun_dial(Look& look, float side) {
 
 class LookPanel final : public Panel {
  public:
-  LookPanel(Scenery& scenery, Bookmarks& bookmarks) : scenery_(scenery), bookmarks_(bookmarks) {}
+  LookPanel(ViewState& view_state, Bookmarks& bookmarks) : view_state_(view_state), bookmarks_(bookmarks) {}
 
   const char* title() const override { return look_title; }
   Dock dock() const override { return Dock::right; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
-  void draw_what(Desk& desk);
+  void draw_what(PanelContext& context);
   void draw_palettes();
   void draw_sun();
   void draw_camera();
-  void draw_bookmarks(Desk& desk);
+  void draw_bookmarks(PanelContext& context);
   void keep_view(Log& log);
-  void draw_extras(const Desk& desk);
+  void draw_extras(const PanelContext& context);
 
-  Scenery& scenery_;
+  ViewState& view_state_;
   Bookmarks& bookmarks_;
   std::string view_name_;
 };
 
-void LookPanel::draw(Desk& desk) {
-  draw_what(desk);
-  if (!scenery_.look.is_material()) draw_palettes();
-  Look& look = scenery_.look;
+void LookPanel::draw(PanelContext& context) {
+  draw_what(context);
+  if (!view_state_.look.is_material()) draw_palettes();
+  Look& look = view_state_.look;
   double contours = look.contours;
   constexpr double most_contours = 100;
   if (real_row({.label = "contours",
@@ -115,28 +115,28 @@ void LookPanel::draw(Desk& desk) {
   }
   draw_sun();
   draw_camera();
-  draw_bookmarks(desk);
-  draw_extras(desk);
+  draw_bookmarks(context);
+  draw_extras(context);
 }
 
-void LookPanel::draw_what(Desk& desk) {
-  const std::vector<LookChoice> choices = look_choices(desk.studio.now(), desk.studio.shown());
+void LookPanel::draw_what(PanelContext& context) {
+  const std::vector<LookChoice> choices = look_choices(context.app.now(), context.app.shown());
   const auto shown =
-      std::find_if(choices.begin(), choices.end(), [&](const LookChoice& c) { return c.key == scenery_.look.show; });
-  if (shown == choices.end()) scenery_.look.show = "material";  // a field that this model does not have
+      std::find_if(choices.begin(), choices.end(), [&](const LookChoice& c) { return c.key == view_state_.look.show; });
+  if (shown == choices.end()) view_state_.look.show = "material";  // a field that this model does not have
   std::vector<std::string> labels;
   for (const LookChoice& choice : choices) labels.push_back(choice.label);
   std::string label = shown == choices.end() ? choices.front().label : shown->label;
-  if (choice_row({.label = "show", .tooltip = "What the land is coloured by"}, label, labels) == RowEvent::changed) {
+  if (choice_row({.label = "show", .tooltip = "What the terrain is coloured by"}, label, labels) == RowEvent::changed) {
     const auto chosen = std::find(labels.begin(), labels.end(), label) - labels.begin();
-    scenery_.look.show = choices[static_cast<std::size_t>(chosen)].key;
+    view_state_.look.show = choices[static_cast<std::size_t>(chosen)].key;
   }
-  desk.studio.runner().watch_shadow(scenery_.look.show == "shadow");
-  desk.studio.runner().watch_flux(scenery_.look.show == "flux");
+  context.app.runner().watch_shadow(view_state_.look.show == "shadow");
+  context.app.runner().watch_flux(view_state_.look.show == "flux");
 }
 
 void LookPanel::draw_palettes() {
-  Look& look = scenery_.look;
+  Look& look = view_state_.look;
   std::vector<std::string> names{own_palette};
   names.insert(names.end(), palette_names().begin(), palette_names().end());
   std::string name = look.palette.empty() ? own_palette : look.palette;
@@ -158,7 +158,7 @@ void LookPanel::draw_palettes() {
 }
 
 void LookPanel::draw_sun() {
-  Look& look = scenery_.look;
+  Look& look = view_state_.look;
   const Look standard;
   sun_dial(look, Gui::current().px(dial_side));
   ImGui::SameLine();
@@ -187,20 +187,20 @@ void LookPanel::draw_camera() {
   for (const OfferedView& view : offered_views) {
     if (column++ % 3 != 0) ImGui::SameLine();
     const std::string what = std::string(view.what) + " (" + view.key + ")";
-    if (button(view.label, {.tooltip = what, .size = {wide, 0}})) scenery_.wanted_view = view.preset;
+    if (button(view.label, {.tooltip = what, .size = {wide, 0}})) view_state_.wanted_view = view.preset;
   }
 }
 
 void LookPanel::keep_view(Log& log) {
   try {
-    bookmarks_.keep(view_name_, scenery_.camera.camera());
+    bookmarks_.keep(view_name_, view_state_.camera.camera());
     view_name_.clear();
   } catch (const InputError& error) {
     log.mistakes(error);
   }
 }
 
-void LookPanel::draw_bookmarks(Desk& desk) {
+void LookPanel::draw_bookmarks(PanelContext& context) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float third = share_of_width(3);
   ImGui::SetNextItemWidth(2 * third + gap);
@@ -210,10 +210,10 @@ void LookPanel::draw_bookmarks(Desk& desk) {
   ImGui::SameLine();
   const bool replaces = bookmarks_.has(view_name_);
   if (button(replaces ? "Replace##keep" : "Keep view##keep",
-             {.tooltip = "Keeps where the camera stands now, for this land and others",
+             {.tooltip = "Keeps where the camera stands now, for this terrain and others",
               .name = "Keep view",
               .size = {third, 0}})) {
-    keep_view(desk.studio.log());
+    keep_view(context.app.log());
   }
   std::string removed;
   for (const Bookmarks::Entry& entry : bookmarks_.entries()) {
@@ -226,7 +226,7 @@ void LookPanel::draw_bookmarks(Desk& desk) {
              .name = entry.name,
              .look = ButtonLook::quiet,
              .size = {ImGui::GetContentRegionAvail().x - cross - gap, 0}})) {
-      scenery_.camera.set(entry.camera);
+      view_state_.camera.set(entry.camera);
     }
     ImGui::SameLine();
     if (button("\u2715##remove",
@@ -237,8 +237,8 @@ void LookPanel::draw_bookmarks(Desk& desk) {
   if (!removed.empty()) bookmarks_.remove(removed);
 }
 
-void LookPanel::draw_extras(const Desk& desk) {
-  Look& look = scenery_.look;
+void LookPanel::draw_extras(const PanelContext& context) {
+  Look& look = view_state_.look;
   constexpr double least = 0.1;
   if (real_row({.label = "heights \u00d7",
                 .tooltip = "Factor on all heights; 1 is true to scale",
@@ -252,18 +252,18 @@ void LookPanel::draw_extras(const Desk& desk) {
       look.grain = 1;
     }
   }
-  const Snapshot& now = desk.studio.now();
+  const Snapshot& now = context.app.now();
   const bool torus = now.has_runs() && now.runs.front().terrain->boundary() == Boundary::torus;
   bool copies = look.copies > 0;
   if (switch_row({.label = "to the horizon",
                   .tooltip = "What leaves a torus on one side comes in on the other: show it so, as far as one sees.",
-                  .unavailable = torus ? "" : "This land has open edges: nothing lies beyond them."},
+                  .unavailable = torus ? "" : "This terrain has open edges: nothing lies beyond them."},
                  copies) == RowEvent::changed) {
     look.copies = copies ? to_the_horizon : 0;
   }
   switch_row({.label = "raw cells", .tooltip = "Straight lines from cell to cell: the data as it is"}, look.raw_cells);
   switch_row({.label = "wireframe", .tooltip = "The edges of the triangles that are drawn"}, look.wireframe);
-  switch_row({.label = "legend", .tooltip = "Scale of colours, wind and north over the land"}, scenery_.legend);
+  switch_row({.label = "legend", .tooltip = "Scale of colours, wind and north over the terrain"}, view_state_.legend);
 }
 
 }  // namespace
@@ -279,8 +279,8 @@ std::vector<LookChoice> look_choices(const Snapshot& now, std::size_t run) {
   return choices;
 }
 
-std::unique_ptr<Panel> make_look_panel(Scenery& scenery, Bookmarks& bookmarks) {
-  return std::make_unique<LookPanel>(scenery, bookmarks);
+std::unique_ptr<Panel> make_look_panel(ViewState& view_state, Bookmarks& bookmarks) {
+  return std::make_unique<LookPanel>(view_state, bookmarks);
 }
 
 }  // namespace erg::ui

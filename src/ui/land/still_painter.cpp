@@ -8,7 +8,7 @@
 #include "render/gl_context.h"
 #include "render/renderer.h"
 #include "render/textures.h"
-#include "ui/land/land_view.h"
+#include "ui/land/terrain_panes.h"
 
 namespace erg::ui {
 
@@ -24,7 +24,7 @@ class Easel {
     std::vector<StillPicture> pictures;
     for (std::size_t i = 0; i < order.parts.size(); ++i) {
       if (renderers_[i] == nullptr) renderers_[i] = std::make_unique<Renderer>();
-      renderers_[i]->set_effort(order.effort);
+      renderers_[i]->set_quality(order.quality);
       const StillOrder::Part& part = order.parts[i];
       StillPicture picture{part.width, part.height, {}, {}};
       target_.prepare(part.width, part.height);

@@ -1,5 +1,5 @@
-// Still pictures of the land drawn beside the window: where the processor draws, a careful picture takes seconds, and
-// the window must not stand still for them.
+// Still pictures of the terrain drawn beside the window: where the processor draws, a careful picture takes seconds,
+// and the window must not stand still for them.
 #pragma once
 
 #include <condition_variable>
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "render/camera.h"
-#include "render/effort.h"
 #include "render/look.h"
+#include "render/quality.h"
 #include "session/snapshot.h"
 
 namespace erg::ui {
@@ -28,7 +28,7 @@ struct StillOrder {
   std::vector<Part> parts;
   render::Look look;
   picture::Camera camera;
-  render::RenderEffort effort;
+  render::RenderQuality quality;
 };
 
 /// A run as it was drawn: red, green, blue, opacity, rows from below.

@@ -1,18 +1,19 @@
 // COMPARE: two to four runs under one wind and clock, and how they differ.
 #include <cmath>
 
+#include "core/number_text.h"
 #include "io/formats/run_numbers.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/widgets.h"
 
 namespace erg::ui {
 
+using session::AppModel;
 using session::Comparison;
 using session::SetupDifference;
 using session::Snapshot;
-using session::Studio;
 
 namespace {
 
@@ -24,11 +25,11 @@ class ComparePanel final : public Panel {
   const char* title() const override { return panel_title::compare; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {720, 560}; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   static bool begin_table(const char* id, std::size_t runs);
-  static void draw_runs(Desk& desk);
+  static void draw_runs(PanelContext& context);
   static void draw_differences(const Comparison& comparison);
   static void draw_numbers(const Snapshot& now);
 };
@@ -43,15 +44,15 @@ bool ComparePanel::begin_table(const char* id, std::size_t runs) {
   return true;
 }
 
-void ComparePanel::draw_runs(Desk& desk) {
-  Studio& studio = desk.studio;
-  Comparison& comparison = studio.comparison();
+void ComparePanel::draw_runs(PanelContext& context) {
+  AppModel& app = context.app;
+  Comparison& comparison = app.comparison();
   for (std::size_t run = 0; run < comparison.size(); ++run) {
     const std::string number = std::to_string(run + 1);
-    const bool active = run == studio.active();
+    const bool active = run == app.active();
     if (button(("EDIT RUN " + number).c_str(), {.tooltip = "The panel SETUP then shows this run.",
                                                 .look = active ? ButtonLook::accent : ButtonLook::plain})) {
-      studio.set_active(run);
+      app.set_active(run);
     }
     ImGui::SameLine();
     const bool removed =
@@ -65,19 +66,19 @@ void ComparePanel::draw_runs(Desk& desk) {
                 static_cast<long long>(config.grid.integer("nx")), static_cast<long long>(config.grid.integer("ny")),
                 static_cast<long long>(config.run.integer("seed")));
     if (removed && comparison.remove(run)) {
-      studio.set_active(std::min(studio.active(), comparison.size() - 1));
+      app.set_active(std::min(app.active(), comparison.size() - 1));
       break;
     }
   }
   if (button("ADD A COPY",
              {.tooltip = "One more run like the one being edited, with the next seed. Change it in SETUP.",
               .unavailable = comparison.size() == session::most_runs ? "Four runs are the most." : ""})) {
-    if (const auto added = comparison.add_copy_of(studio.active())) studio.set_active(*added);
+    if (const auto added = comparison.add_copy_of(app.active())) app.set_active(*added);
   }
   ImGui::SameLine();
   if (button("CREATE", {.tooltip = "Makes the terrains of all runs.",
-                        .look = studio.create_needed() ? ButtonLook::accent : ButtonLook::plain})) {
-    desk.leave("CREATE", session::Leaves::land, [&studio] { studio.create(); });
+                        .look = app.create_needed() ? ButtonLook::accent : ButtonLook::plain})) {
+    context.leave("CREATE", session::Leaves::terrain, [&app] { app.create(); });
   }
 }
 
@@ -115,7 +116,7 @@ void ComparePanel::draw_numbers(const Snapshot& now) {
     ImGui::TextUnformatted(number.number.label.c_str());
     if (!number.number.unit.empty()) {
       ImGui::SameLine();
-      ImGui::TextDisabled("%s", number.number.unit.c_str());
+      ImGui::TextDisabled("%s", unit_text(number.number.unit).c_str());
     }
     tooltip(number.number.meaning);
     for (const double value : number.values) {
@@ -126,11 +127,11 @@ void ComparePanel::draw_numbers(const Snapshot& now) {
   ImGui::EndTable();
 }
 
-void ComparePanel::draw(Desk& desk) {
-  Studio& studio = desk.studio;
-  draw_runs(desk);
-  if (section("How they differ")) draw_differences(studio.comparison());
-  if (section("Their numbers")) draw_numbers(studio.now());
+void ComparePanel::draw(PanelContext& context) {
+  AppModel& app = context.app;
+  draw_runs(context);
+  if (section("How they differ")) draw_differences(app.comparison());
+  if (section("Their numbers")) draw_numbers(app.now());
 }
 
 }  // namespace

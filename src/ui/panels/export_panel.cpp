@@ -1,5 +1,5 @@
 // EXPORT: the run as a file of every kind.
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/file_browser.h"
 #include "ui/widgets/widgets.h"
@@ -17,7 +17,7 @@ class ExportPanel final : public Panel {
   const char* title() const override { return panel_title::export_files; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {560, 560}; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   void draw_formats();
@@ -60,26 +60,26 @@ void ExportPanel::draw_export(Export& running) {
   }
 }
 
-void ExportPanel::draw(Desk& desk) {
-  session::Studio& studio = desk.studio;
-  if (!studio.now().has_runs()) {
+void ExportPanel::draw(PanelContext& context) {
+  session::AppModel& app = context.app;
+  if (!app.now().has_runs()) {
     explain("There is nothing to export yet. Open a preset from the gallery, or press CREATE.");
     return;
   }
   draw_formats();
   ImGui::Spacing();
   const ExportFormat& format = export_formats()[format_];
-  Export* running = studio.running_export();
+  Export* running = app.running_export();
   const bool busy = running != nullptr && running->state() == Export::State::writing;
   if (button("EXPORT", {.tooltip = "Asks where to, then writes while the run goes on.",
                         .unavailable = busy ? "One file is being written." : "",
                         .look = ButtonLook::accent})) {
     file_.set_endings({format.ending});
-    file_.ask(studio.settings(),
-              studio.suggested_name("-" + std::to_string(studio.now().step()) + format.suffix + format.ending));
+    file_.ask(app.settings(),
+              app.suggested_name("-" + std::to_string(app.now().step()) + format.suffix + format.ending));
   }
   if (running != nullptr) draw_export(*running);
-  if (const auto file = file_.draw(studio)) studio.start_export(*file, format.key);
+  if (const auto file = file_.draw(app)) app.start_export(*file, format.key);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // OPEN and SAVE AS.
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/file_browser.h"
 #include "ui/widgets/widgets.h"
@@ -12,14 +12,14 @@ class OpenPanel final : public Panel {
   const char* title() const override { return panel_title::open; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {760, 480}; }
-  void draw(Desk& desk) override {
-    const auto file = browser_.draw(desk.studio);
+  void draw(PanelContext& context) override {
+    const auto file = browser_.draw(context.app);
     if (file) {
-      desk.leave("OPEN", session::Leaves::everything, [&desk, path = *file] {
-        if (!desk.studio.open_and_play(path)) desk.open(panel_title::log);  // it says what is wrong with the file
+      context.leave("OPEN", session::Leaves::everything, [&context, path = *file] {
+        if (!context.app.open_and_play(path)) context.open(panel_title::log);  // it says what is wrong with the file
       });
     }
-    if (file || browser_.cancelled()) desk.close(title());
+    if (file || browser_.cancelled()) context.close(title());
   }
 
  private:
@@ -31,12 +31,12 @@ class SavePanel final : public Panel {
   const char* title() const override { return panel_title::save; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {760, 480}; }
-  void draw(Desk& desk) override {
+  void draw(PanelContext& context) override {
     const bool opened = ImGui::IsWindowAppearing();
-    if (opened) browser_.start(desk.studio.settings(), desk.studio.suggested_name(".json"));
-    const auto file = browser_.draw(desk.studio);
-    if (file && !desk.studio.save_config(*file)) desk.open(panel_title::log);
-    if (file || browser_.cancelled()) desk.close(title());
+    if (opened) browser_.start(context.app.settings(), context.app.suggested_name(".json"));
+    const auto file = browser_.draw(context.app);
+    if (file && !context.app.save_config(*file)) context.open(panel_title::log);
+    if (file || browser_.cancelled()) context.close(title());
   }
 
  private:

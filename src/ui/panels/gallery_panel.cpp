@@ -7,14 +7,14 @@
 #include "io/config/config_file.h"
 #include "io/config/preset_list.h"
 #include "models/model.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
 namespace erg::ui {
 
 using io::Preset;
-using session::Studio;
+using session::AppModel;
 
 namespace {
 
@@ -53,28 +53,28 @@ class GalleryPanel final : public Panel {
   const char* title() const override { return panel_title::gallery; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {1000, 640}; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
-  void read_cards(const Studio& studio);
-  void draw_cards(Desk& desk, const std::string& folder);
-  bool draw_card(Desk& desk, const Card& card) const;
+  void read_cards(const AppModel& app);
+  void draw_cards(PanelContext& context, const std::string& folder);
+  bool draw_card(PanelContext& context, const Card& card) const;
 
   std::vector<Card> cards_;
   bool read_ = false;
 };
 
-void GalleryPanel::read_cards(const Studio& studio) {
+void GalleryPanel::read_cards(const AppModel& app) {
   read_ = true;
-  const std::filesystem::path& folder = studio.folders().presets;
+  const std::filesystem::path& folder = app.folders().presets;
   for (const Preset& preset : io::list_presets(folder)) cards_.push_back(card_of(preset, folder));
 }
 
 /// The picture, or where there is none the name of the model in its place.
-void draw_picture(Desk& desk, const Card& card, ImVec2 corner, ImVec2 end) {
+void draw_picture(PanelContext& context, const Card& card, ImVec2 corner, ImVec2 end) {
   const Theme& theme = Gui::current().theme();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImTextureID texture = desk.picture ? desk.picture(card.picture) : nullptr;
+  const ImTextureID texture = context.picture ? context.picture(card.picture) : nullptr;
   if (texture != nullptr) {
     list.AddImageRounded(texture, corner, end, {0, 0}, {1, 1}, IM_COL32_WHITE, Gui::current().px(4),
                          ImDrawFlags_RoundCornersTop);
@@ -87,15 +87,15 @@ void draw_picture(Desk& desk, const Card& card, ImVec2 corner, ImVec2 end) {
 }
 
 /// Opens a preset and lets it run.
-void grow(Desk& desk, const std::filesystem::path& preset) {
-  if (desk.studio.open_and_play(preset)) {
-    desk.close(panel_title::gallery);
+void grow(PanelContext& context, const std::filesystem::path& preset) {
+  if (context.app.open_and_play(preset)) {
+    context.close(panel_title::gallery);
   } else {
-    desk.open(panel_title::log);
+    context.open(panel_title::log);
   }
 }
 
-bool GalleryPanel::draw_card(Desk& desk, const Card& card) const {
+bool GalleryPanel::draw_card(PanelContext& context, const Card& card) const {
   const Gui& gui = Gui::current();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight();
@@ -106,7 +106,7 @@ bool GalleryPanel::draw_card(Desk& desk, const Card& card) const {
   const bool hot = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, end, ImGui::GetColorU32(gui.theme().ground), gui.px(4));
-  draw_picture(desk, card, corner, {end.x, corner.y + gui.px(picture_height)});
+  draw_picture(context, card, corner, {end.x, corner.y + gui.px(picture_height)});
   const ImVec2 text{corner.x + gui.px(8), corner.y + gui.px(picture_height + 5)};
   const float right = end.x - gui.px(8);
   const auto write = [&](float top, const ImVec4& colour, const char* words, const char* words_end) {
@@ -134,7 +134,7 @@ bool GalleryPanel::draw_card(Desk& desk, const Card& card) const {
   return pressed;
 }
 
-void GalleryPanel::draw_cards(Desk& desk, const std::string& folder) {
+void GalleryPanel::draw_cards(PanelContext& context, const std::string& folder) {
   const Gui& gui = Gui::current();
   const float step = gui.px(card_width + card_gap);
   const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gui.px(card_gap)) / step));
@@ -143,18 +143,18 @@ void GalleryPanel::draw_cards(Desk& desk, const std::string& folder) {
     if (card.folder != folder) continue;
     if (column > 0) ImGui::SameLine(0, gui.px(card_gap));
     column = (column + 1) % columns;
-    if (draw_card(desk, card)) {
-      desk.leave("OPEN", session::Leaves::everything, [&desk, path = card.preset.path] { grow(desk, path); });
+    if (draw_card(context, card)) {
+      context.leave("OPEN", session::Leaves::everything, [&context, path = card.preset.path] { grow(context, path); });
     }
     if (column == 0) ImGui::Dummy({1, gui.px(card_gap - 8)});
   }
   if (column != 0) ImGui::Dummy({1, gui.px(card_gap - 8)});
 }
 
-void GalleryPanel::draw(Desk& desk) {
-  if (!read_) read_cards(desk.studio);
+void GalleryPanel::draw(PanelContext& context) {
+  if (!read_) read_cards(context.app);
   if (cards_.empty()) {
-    explain("No presets were found in " + desk.studio.folders().presets.string() +
+    explain("No presets were found in " + context.app.folders().presets.string() +
             ". The panel SETUP makes a terrain without one: press CREATE there.");
     return;
   }
@@ -165,7 +165,7 @@ void GalleryPanel::draw(Desk& desk) {
     if (!first && card.folder == folder) continue;
     folder = card.folder;
     if (folder.empty() || section(folder == "thesis" ? "From the thesis of Cimbura (2022)" : folder.c_str())) {
-      draw_cards(desk, folder);
+      draw_cards(context, folder);
     }
     first = false;
   }

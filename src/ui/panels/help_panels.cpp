@@ -1,5 +1,5 @@
 // KEYS and ABOUT.
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
@@ -33,8 +33,8 @@ class KeysPanel final : public Panel {
   const char* title() const override { return panel_title::keys; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {520, 700}; }
-  void draw(Desk& desk) override {
-    for (std::size_t next = 0; next < desk.keys.size();) next = draw_keys(desk.keys, next);
+  void draw(PanelContext& context) override {
+    for (std::size_t next = 0; next < context.keys.size();) next = draw_keys(context.keys, next);
     explain("In the panels: Shift while dragging snaps curve points and the wind's dial.");
   }
 };
@@ -44,8 +44,8 @@ class AboutPanel final : public Panel {
   const char* title() const override { return panel_title::about; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {520, 210}; }
-  void draw(Desk& desk) override {
-    heading("Erg " + desk.studio.provenance().version);
+  void draw(PanelContext& context) override {
+    heading("Erg " + context.app.provenance().version);
     say("Sand dunes and wind-blown snow, grown on a grid.", Gui::current().theme().text);
     ImGui::Spacing();
     explain(

@@ -1,7 +1,7 @@
 // LOG: what happened, by level.
 #include "session/log.h"
 
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
@@ -18,7 +18,7 @@ class LogPanel final : public Panel {
   const char* title() const override { return panel_title::log; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {760, 360}; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   void draw_levels(const Log& log);
@@ -70,8 +70,8 @@ void LogPanel::draw_lines(bool news) const {
   ImGui::EndChild();
 }
 
-void LogPanel::draw(Desk& desk) {
-  Log& log = desk.studio.log();
+void LogPanel::draw(PanelContext& context) {
+  Log& log = context.app.log();
   draw_levels(log);
   ImGui::SameLine();
   const bool news = read_lines(log);

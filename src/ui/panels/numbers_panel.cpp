@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <array>
 
+#include "core/number_text.h"
 #include "io/formats/run_numbers.h"
+#include "session/app_model.h"
 #include "session/probe.h"
-#include "session/studio.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/file_browser.h"
@@ -15,10 +16,10 @@ namespace erg::ui {
 
 using io::run_numbers;
 using io::RunNumber;
+using session::AppModel;
 using session::Histogram;
 using session::RunSnapshot;
 using session::Snapshot;
-using session::Studio;
 
 namespace {
 
@@ -38,7 +39,7 @@ constexpr std::array<Spread, 3> spreads{
 
 /// "height, m".
 std::string with_unit(const RunNumber& number) {
-  return number.unit.empty() ? number.label : number.label + ", " + number.unit;
+  return number.unit.empty() ? number.label : number.label + ", " + unit_text(number.unit);
 }
 
 std::size_t column_of(const std::string& key) {
@@ -52,14 +53,14 @@ class NumbersPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::numbers; }
   Dock dock() const override { return Dock::right; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   void choose_numbers();
   void draw_over_time(const Snapshot& now);
   static void draw_number(const Snapshot& now, std::size_t column);
   void draw_spread(const RunSnapshot& run);
-  void save(Studio& studio);
+  void save(AppModel& app);
 
   std::vector<std::size_t> columns_{column_of("max_slabs")};  ///< of run_numbers(), those that are plotted
   std::size_t spread_ = 0;
@@ -133,35 +134,35 @@ void NumbersPanel::draw_spread(const RunSnapshot& run) {
   draw_histogram("spread", histogram_.counts, {histogram_.lowest, end}, frame);
 }
 
-void NumbersPanel::save(Studio& studio) {
+void NumbersPanel::save(AppModel& app) {
   if (button("SAVE NUMBERS", {.tooltip = "The rows behind the plots over time, all columns, as CSV."})) {
-    series_file_.ask(studio.settings(), "numbers.csv");
+    series_file_.ask(app.settings(), "numbers.csv");
   }
   ImGui::SameLine();
   if (button("SAVE HISTOGRAM", {.tooltip = "The bars of the histogram as CSV."})) {
-    histogram_file_.ask(studio.settings(), std::string(spreads[spread_].label) + ".csv");
+    histogram_file_.ask(app.settings(), std::string(spreads[spread_].label) + ".csv");
   }
-  if (const auto file = series_file_.draw(studio)) studio.start_export(*file, "csv");
-  if (const auto file = histogram_file_.draw(studio)) {
+  if (const auto file = series_file_.draw(app)) app.start_export(*file, "csv");
+  if (const auto file = histogram_file_.draw(app)) {
     try {
-      session::write_histogram(*file, histogram_, spreads[spread_].quantity, studio.provenance());
-      studio.log().information("saved " + file->string());
+      session::write_histogram(*file, histogram_, spreads[spread_].quantity, app.provenance());
+      app.log().information("saved " + file->string());
     } catch (const InputError& error) {
-      studio.log().mistakes(error);
+      app.log().mistakes(error);
     }
   }
 }
 
-void NumbersPanel::draw(Desk& desk) {
-  const Snapshot& now = desk.studio.now();
+void NumbersPanel::draw(PanelContext& context) {
+  const Snapshot& now = context.app.now();
   if (!now.has_runs()) {
     explain("Numbers appear here once there is a terrain: press CREATE, or open one from the gallery.");
-    if (button("GALLERY", {.look = ButtonLook::accent})) desk.open(panel_title::gallery);
+    if (button("GALLERY", {.look = ButtonLook::accent})) context.open(panel_title::gallery);
     return;
   }
   if (section("Over time")) draw_over_time(now);
-  if (section("How they are spread")) draw_spread(*desk.studio.active_run());
-  save(desk.studio);
+  if (section("How they are spread")) draw_spread(*context.app.active_run());
+  save(context.app);
 }
 
 }  // namespace

@@ -5,28 +5,28 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/widgets.h"
 
 namespace erg::ui {
 
+using session::AppModel;
 using session::BrushMaterial;
 using session::RunSnapshot;
-using session::Studio;
 
 namespace {
 
 constexpr double most_slabs = 1000;  // of one touch
 constexpr double least_strength = 0.01;
-// So that a stroke is seen at once, on a small land and on a large one: shares of the land's shorter side and of the
-// brush's radius. Such a heap is a hill, and its sides are less steep than sand stands.
+// So that a stroke is seen at once, on a small terrain and on a large one: shares of the terrain's shorter side and of
+// the brush's radius. Such a heap is a hill, and its sides are less steep than sand stands.
 constexpr double usual_radius = 1.0 / 24;
 constexpr double usual_height = 0.12;
-constexpr double spacing = 0.25;           // of the radius, from dab to dab of a stroke
-constexpr double seconds_of_a_dab = 0.12;  // while the brush is held still
-constexpr int most_dabs = 400;             // between two frames
+constexpr double spacing = 0.25;             // of the radius, from stamp to stamp of a stroke
+constexpr double seconds_of_a_stamp = 0.12;  // while the brush is held still
+constexpr int most_stamps = 400;             // between two frames
 
 // A button that stays down while `chosen`; true when it was pressed.
 bool choice(const std::string& label, bool chosen, float width, const std::string& hint) {
@@ -43,30 +43,30 @@ class PaintPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::paint; }
   Dock dock() const override { return Dock::right; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   void draw_materials(const RunSnapshot& run);
   void draw_layers(const RunSnapshot& run);
   void draw_brush(const RunSnapshot& run);
   void draw_amount(const Terrain& terrain);
-  static void draw_undo(Studio& studio);
-  void stroke(Desk& desk);
-  void put_dab(Studio& studio, double x, double y) const;
+  static void draw_undo(AppModel& app);
+  void stroke(PanelContext& context);
+  void put_stamp(AppModel& app, double x, double y) const;
   double radius(const Terrain& terrain) const;
   double amount(const Terrain& terrain) const;
-  void mark_rim(Desk& desk) const;
+  void mark_rim(PanelContext& context) const;
 
   bool on_ = false;
   BrushMaterial material_ = BrushMaterial::sand;
   std::string field_;  // the layer's key, for BrushMaterial::field
   bool takes_ = false;
-  std::optional<double> radius_;  ///< cells; none: as suits the land
+  std::optional<double> radius_;  ///< cells; none: as suits the terrain
   std::optional<double> amount_;  ///< m; none: as suits the radius
   double strength_ = 0.25;
   std::uint64_t stroke_ = 0;
-  std::optional<std::array<double, 2>> last_;  ///< cells: where the stroke's last dab went
-  double held_still_ = 0;                      ///< s since that dab
+  std::optional<std::array<double, 2>> last_;  ///< cells: where the stroke's last stamp went
+  double held_still_ = 0;                      ///< s since that stamp
 };
 
 double PaintPanel::radius(const Terrain& terrain) const {
@@ -149,8 +149,8 @@ void PaintPanel::draw_amount(const Terrain& terrain) {
   if (event == RowEvent::reset) amount_.reset();
 }
 
-void PaintPanel::draw_undo(Studio& studio) {
-  const session::Snapshot& now = studio.now();
+void PaintPanel::draw_undo(AppModel& app) {
+  const session::Snapshot& now = app.now();
   const auto count_text = [](std::size_t count, const char* what) {
     return std::to_string(count) + (count == 1 ? " edit can be " : " edits can be ") + what + ".";
   };
@@ -159,91 +159,92 @@ void PaintPanel::draw_undo(Studio& studio) {
                                  count_text(now.undo_count, "undone"),
                       .unavailable = now.undo_count == 0 ? "Nothing was painted." : "",
                       .size = {half, 0}})) {
-    studio.runner().undo();
+    app.runner().undo();
   }
   ImGui::SameLine();
   if (button("REDO", {.tooltip = count_text(now.redo_count, "done again"),
                       .unavailable = now.redo_count == 0 ? "Nothing was undone." : "",
                       .size = {half, 0}})) {
-    studio.runner().redo();
+    app.runner().redo();
   }
 }
 
-void PaintPanel::stroke(Desk& desk) {
-  const LandPointer& land = desk.land;
-  if (land.pressed) {
+void PaintPanel::stroke(PanelContext& context) {
+  const TerrainPointer& pointer = context.pointer;
+  if (pointer.pressed) {
     ++stroke_;
     last_.reset();
   }
-  if (!land.cell) last_.reset();  // what comes in again elsewhere begins there
-  if (!(land.pressed || land.held) || !land.cell) return;
-  const std::array<double, 2> here{land.cell->x + 0.5, land.cell->y + 0.5};
+  if (!pointer.cell) last_.reset();  // what comes in again elsewhere begins there
+  if (!(pointer.pressed || pointer.held) || !pointer.cell) return;
+  const std::array<double, 2> here{pointer.cell->x + 0.5, pointer.cell->y + 0.5};
   held_still_ += static_cast<double>(ImGui::GetIO().DeltaTime);
-  if (!last_ || held_still_ >= seconds_of_a_dab) {
-    put_dab(desk.studio, here[0], here[1]);
+  if (!last_ || held_still_ >= seconds_of_a_stamp) {
+    put_stamp(context.app, here[0], here[1]);
     last_ = here;
     held_still_ = 0;
     return;
   }
   // However far the pointer has come since the last frame, the stroke has no gaps.
-  const double gap = std::max(1.0, spacing * radius(*desk.studio.active_run()->terrain));
+  const double gap = std::max(1.0, spacing * radius(*context.app.active_run()->terrain));
   const std::array<double, 2> from = *last_;
   const double way = std::hypot(here[0] - from[0], here[1] - from[1]);
-  const int dabs = std::min(static_cast<int>(way / gap), most_dabs);
-  for (int dab = 1; dab <= dabs; ++dab) {
-    const double part = dab * gap / way;
+  const int stamps = std::min(static_cast<int>(way / gap), most_stamps);
+  for (int stamp = 1; stamp <= stamps; ++stamp) {
+    const double part = stamp * gap / way;
     last_ = {from[0] + part * (here[0] - from[0]), from[1] + part * (here[1] - from[1])};
-    put_dab(desk.studio, (*last_)[0], (*last_)[1]);
+    put_stamp(context.app, (*last_)[0], (*last_)[1]);
     held_still_ = 0;
   }
 }
 
-void PaintPanel::put_dab(Studio& studio, double x, double y) const {
-  const Terrain& terrain = *studio.active_run()->terrain;
+void PaintPanel::put_stamp(AppModel& app, double x, double y) const {
+  const Terrain& terrain = *app.active_run()->terrain;
   const auto slabs = static_cast<std::int32_t>(std::lround(amount(terrain) / terrain.quantum()));
-  session::Dab dab;
-  dab.material = material_;
-  dab.x = x;
-  dab.y = y;
-  dab.radius = radius(terrain);
-  dab.amount = takes_ ? -slabs : slabs;
-  dab.field = field_;
-  dab.strength = takes_ ? -strength_ : strength_;
-  studio.runner().paint(studio.shown(), dab, stroke_);
+  session::BrushStamp stamp;
+  stamp.material = material_;
+  stamp.x = x;
+  stamp.y = y;
+  stamp.radius = radius(terrain);
+  stamp.amount = takes_ ? -slabs : slabs;
+  stamp.field = field_;
+  stamp.strength = takes_ ? -strength_ : strength_;
+  app.runner().paint(app.shown(), stamp, stroke_);
 }
 
-void PaintPanel::mark_rim(Desk& desk) const {
-  if (!desk.land.cell) return;
-  const double reach = radius(*desk.studio.active_run()->terrain);
-  LandMark rim;
+void PaintPanel::mark_rim(PanelContext& context) const {
+  if (!context.pointer.cell) return;
+  const double reach = radius(*context.app.active_run()->terrain);
+  TerrainMark rim;
   rim.closed = true;
   constexpr int corners = 48;
   for (int corner = 0; corner < corners; ++corner) {
     const double angle = radians(360.0 * corner / corners);
-    rim.points.push_back({desk.land.cell->x + reach * std::cos(angle), desk.land.cell->y + reach * std::sin(angle)});
+    rim.points.push_back(
+        {context.pointer.cell->x + reach * std::cos(angle), context.pointer.cell->y + reach * std::sin(angle)});
   }
-  desk.marks.push_back(rim);
+  context.marks.push_back(rim);
 }
 
-void PaintPanel::draw(Desk& desk) {
-  if (!desk.studio.now().has_runs()) {
-    explain("There is no land to paint on yet.");
+void PaintPanel::draw(PanelContext& context) {
+  if (!context.app.now().has_runs()) {
+    explain("There is no terrain to paint on yet.");
     return;
   }
   if (button(on_ ? "PUT THE BRUSH DOWN" : "TAKE THE BRUSH",
-             {.tooltip = on_ ? "The mouse turns the view again." : "Then drag over the land; it may run meanwhile.",
+             {.tooltip = on_ ? "The mouse turns the view again." : "Then drag over the terrain; it may run meanwhile.",
               .look = on_ ? ButtonLook::accent : ButtonLook::plain,
               .size = {-1, 0}})) {
     on_ = !on_;
   }
-  const RunSnapshot& run = *desk.studio.active_run();
+  const RunSnapshot& run = *context.app.active_run();
   draw_materials(run);
   draw_brush(run);
-  draw_undo(desk.studio);
+  draw_undo(context.app);
   if (!on_) return;
-  desk.tool = LandTool::paint;
-  stroke(desk);
-  mark_rim(desk);
+  context.tool = TerrainTool::paint;
+  stroke(context);
+  mark_rim(context);
 }
 
 }  // namespace

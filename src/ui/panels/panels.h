@@ -8,7 +8,7 @@
 
 namespace erg::ui {
 
-/// Titles of the panels that menus and keys open with Desk::open.
+/// Titles of the panels that menus and keys open with PanelContext::open.
 namespace panel_title {
 inline constexpr const char* setup = "SETUP";
 inline constexpr const char* wind = "WIND";

@@ -1,19 +1,19 @@
 // RECOVERY: what a crash left behind.
 #include <filesystem>
 
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/widgets.h"
 
 namespace erg::ui {
 namespace {
 
-void recover(Desk& desk, const std::filesystem::path& folder) {
-  if (desk.studio.recover(folder)) {
-    desk.close(panel_title::recovery);
-    desk.close(panel_title::gallery);
+void recover(PanelContext& context, const std::filesystem::path& folder) {
+  if (context.app.recover(folder)) {
+    context.close(panel_title::recovery);
+    context.close(panel_title::gallery);
   } else {
-    desk.open(panel_title::log);
+    context.open(panel_title::log);
   }
 }
 
@@ -21,16 +21,16 @@ class RecoveryPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::recovery; }
   Dock dock() const override { return Dock::dialog; }
-  bool wanted(const Desk& desk) const override { return !desk.studio.lost_sessions().empty(); }
+  bool wanted(const PanelContext& context) const override { return !context.app.crashed_sessions().empty(); }
   ImVec2 size() const override { return {560, 200}; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
-  static bool draw_session(Desk& desk, std::size_t index);
+  static bool draw_session(PanelContext& context, std::size_t index);
 };
 
-bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
-  const session::LostSession lost = desk.studio.lost_sessions()[index];
+bool RecoveryPanel::draw_session(PanelContext& context, std::size_t index) {
+  const session::CrashedSession lost = context.app.crashed_sessions()[index];
   const WidgetScope scope("session " + std::to_string(index + 1));
   ImGui::Separator();
   say(lost.title.empty() ? "Untitled" : lost.title, Gui::current().theme().text);
@@ -39,25 +39,26 @@ bool RecoveryPanel::draw_session(Desk& desk, std::size_t index) {
   explain(step + runs + ", saved " + lost.saved_at);
   if (button("RECOVER", {.tooltip = "Goes on from there, paused.", .look = ButtonLook::accent})) {
     // A question may come first, and the list be another when it is answered.
-    desk.leave("RECOVER", session::Leaves::everything, [&desk, folder = lost.folder] { recover(desk, folder); });
+    context.leave("RECOVER", session::Leaves::everything,
+                  [&context, folder = lost.folder] { recover(context, folder); });
     return true;
   }
   ImGui::SameLine();
   if (button("DISCARD", {.tooltip = "Deletes what was saved of it, for good."})) {
-    desk.studio.discard_lost(lost.folder);
+    context.app.discard_crashed(lost.folder);
     return true;
   }
   return false;
 }
 
-void RecoveryPanel::draw(Desk& desk) {
-  if (desk.studio.lost_sessions().empty()) {
+void RecoveryPanel::draw(PanelContext& context) {
+  if (context.app.crashed_sessions().empty()) {
     explain("Nothing is left to recover.");
     return;
   }
   explain("Erg did not end in order last time. This was saved before:");
-  for (std::size_t index = 0; index < desk.studio.lost_sessions().size(); ++index) {
-    if (draw_session(desk, index)) return;  // the list has changed
+  for (std::size_t index = 0; index < context.app.crashed_sessions().size(); ++index) {
+    if (draw_session(context, index)) return;  // the list has changed
   }
 }
 

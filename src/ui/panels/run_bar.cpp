@@ -11,9 +11,9 @@
 namespace erg::ui {
 
 using session::Activity;
+using session::AppModel;
 using session::LogLevel;
 using session::Snapshot;
-using session::Studio;
 
 namespace {
 
@@ -87,9 +87,9 @@ bool draw_log_item(const session::Log& log) {
 std::string why_no_step(const Snapshot& now) {
   switch (now.activity) {
     case Activity::empty:
-      return "There is no land yet: choose a preset, or CREATE one.";
+      return "There is no terrain yet: choose a preset, or CREATE one.";
     case Activity::building:
-      return "The land is being made.";
+      return "The terrain is being made.";
     case Activity::finished:
       return "It is finished: " + now.message + ". Reset it, or change something.";
     case Activity::failed:
@@ -107,26 +107,26 @@ void play_or_pause(session::Runner& runner, const Snapshot& now) {
   }
 }
 
-void RunBar::draw(Studio& studio) {
+void RunBar::draw(AppModel& app) {
   const WidgetScope scope("RUN");
-  draw_buttons(studio);
+  draw_buttons(app);
   ImGui::SameLine(0, Gui::current().px(20));
-  draw_steps(studio);
+  draw_steps(app);
   ImGui::SameLine(0, Gui::current().px(20));
-  draw_speed(studio);
+  draw_speed(app);
   ImGui::SameLine(0, Gui::current().px(20));
-  draw_progress(studio.now());
+  draw_progress(app.now());
 }
 
-void RunBar::draw_buttons(Studio& studio) {
-  const Snapshot& now = studio.now();
+void RunBar::draw_buttons(AppModel& app) {
+  const Snapshot& now = app.now();
   const bool running = now.activity == Activity::running;
   const float wide = Gui::current().px(92);
-  if (button("\u25c0\u25c0 Reset##reset", {.tooltip = "Back to where this land began (R). Can be undone.",
-                                           .unavailable = now.has_runs() ? "" : "There is no land yet.",
+  if (button("\u25c0\u25c0 Reset##reset", {.tooltip = "Back to where this terrain began (R). Can be undone.",
+                                           .unavailable = now.has_runs() ? "" : "There is no terrain yet.",
                                            .name = "reset",
                                            .size = {wide, 0}})) {
-    studio.runner().reset();
+    app.runner().reset();
   }
   ImGui::SameLine();
   const std::string reason = why_no_step(now);
@@ -136,22 +136,22 @@ void RunBar::draw_buttons(Studio& studio) {
               .name = "play",
               .look = running ? ButtonLook::plain : ButtonLook::accent,
               .size = {wide, 0}})) {
-    play_or_pause(studio.runner(), now);
+    play_or_pause(app.runner(), now);
   }
   ImGui::SameLine();
   if (button("\u25b6| Step##step", {.tooltip = "One step (.)",
                                     .unavailable = running ? "It is running: pause first." : reason,
                                     .name = "step",
                                     .size = {wide, 0}})) {
-    studio.runner().step();
+    app.runner().step();
   }
 }
 
-void RunBar::draw_steps(Studio& studio) {
-  const Snapshot& now = studio.now();
+void RunBar::draw_steps(AppModel& app) {
+  const Snapshot& now = app.now();
   const std::string reason = why_no_step(now);
   if (button("Run##run", {.tooltip = "Run so many steps, then pause", .unavailable = reason, .name = "run"})) {
-    studio.runner().run(steps_to_run_);
+    app.runner().run(steps_to_run_);
   }
   ImGui::SameLine();
   ImGui::SetNextItemWidth(Gui::current().px(72));
@@ -165,8 +165,8 @@ void RunBar::draw_steps(Studio& studio) {
   ImGui::TextUnformatted("steps");
 }
 
-void RunBar::draw_speed(Studio& studio) const {
-  const double limit = studio.now().speed_limit;
+void RunBar::draw_speed(AppModel& app) const {
+  const double limit = app.now().speed_limit;
   int stop = static_cast<int>(speeds.size()) - 1;
   for (int index = 0; limit > 0 && index < stop; ++index) {
     if (limit <= speeds[static_cast<std::size_t>(index)]) {
@@ -178,7 +178,7 @@ void RunBar::draw_speed(Studio& studio) const {
   ImGui::SetNextItemWidth(Gui::current().px(150));
   if (ImGui::SliderInt("##speed", &stop, 0, static_cast<int>(speeds.size()) - 1, text.c_str(),
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
-    studio.runner().set_speed(speeds[static_cast<std::size_t>(stop)]);
+    app.runner().set_speed(speeds[static_cast<std::size_t>(stop)]);
   }
   mark("speed");
   tooltip("The most steps a second, from one to as many as the machine makes");
@@ -187,7 +187,7 @@ void RunBar::draw_speed(Studio& studio) const {
 void RunBar::draw_progress(const Snapshot& now) const {
   const Theme& theme = Gui::current().theme();
   if (!now.has_runs()) {
-    ImGui::TextColored(theme.faint, "no land yet");
+    ImGui::TextColored(theme.faint, "no terrain yet");
     mark("clock");
     return;
   }
@@ -207,14 +207,14 @@ void RunBar::draw_progress(const Snapshot& now) const {
   mark("clock");
 }
 
-bool draw_status(Studio& studio, float frames_per_second, const std::vector<std::string>& notes) {
+bool draw_status(AppModel& app, float frames_per_second, const std::vector<std::string>& notes) {
   const WidgetScope scope("STATUS");
   const Theme& theme = Gui::current().theme();
-  const Snapshot& now = studio.now();
+  const Snapshot& now = app.now();
   std::string state = to_string(now.activity);
   if (!now.message.empty()) state += ": " + now.message;
   status_item("state", state, colour_of(now.activity, theme), "What the simulation is doing");
-  if (const session::RunSnapshot* const run = studio.active_run()) {
+  if (const session::RunSnapshot* const run = app.active_run()) {
     if (now.activity == Activity::running) {
       status_item("steps", short_number(now.steps_per_second) + " steps/s", theme.text,
                   "Steps done in the last second");
@@ -229,7 +229,7 @@ bool draw_status(Studio& studio, float frames_per_second, const std::vector<std:
   std::string frames = "Pictures of the window in the last second. At rest it draws none, which costs nothing.";
   for (const std::string& note : notes) frames += "\nJust now " + note + ".";
   status_item("frames", format("%.0f frames/s", static_cast<double>(frames_per_second)), theme.text, frames);
-  return draw_log_item(studio.log());
+  return draw_log_item(app.log());
 }
 
 }  // namespace erg::ui

@@ -3,21 +3,21 @@
 
 #include <string>
 
-#include "session/studio.h"
+#include "session/app_model.h"
 
 namespace erg::ui {
 
 /// The run bar: one row of controls in the current ImGui window.
 class RunBar {
  public:
-  /// Draws it; what is pressed goes to the studio's runner.
-  void draw(session::Studio& studio);
+  /// Draws it; what is pressed goes to the app's runner.
+  void draw(session::AppModel& app);
 
  private:
-  void draw_buttons(session::Studio& studio);
-  void draw_steps(session::Studio& studio);
+  void draw_buttons(session::AppModel& app);
+  void draw_steps(session::AppModel& app);
   void draw_progress(const session::Snapshot& now) const;
-  void draw_speed(session::Studio& studio) const;
+  void draw_speed(session::AppModel& app) const;
 
   std::int64_t steps_to_run_ = 200;
 };
@@ -28,6 +28,6 @@ void play_or_pause(session::Runner& runner, const session::Snapshot& now);
 std::string why_no_step(const session::Snapshot& now);
 
 /// The status line in the current ImGui window. True when its log entry was pressed.
-bool draw_status(session::Studio& studio, float frames_per_second, const std::vector<std::string>& notes);
+bool draw_status(session::AppModel& app, float frames_per_second, const std::vector<std::string>& notes);
 
 }  // namespace erg::ui

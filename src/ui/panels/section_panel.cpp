@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "session/app_model.h"
 #include "session/probe.h"
-#include "session/studio.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/file_browser.h"
@@ -12,9 +12,9 @@
 
 namespace erg::ui {
 
+using session::AppModel;
 using session::CellPlace;
 using session::RunSnapshot;
-using session::Studio;
 
 namespace {
 
@@ -28,15 +28,15 @@ class SectionPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::section; }
   Dock dock() const override { return Dock::right; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
-  void take_clicks(Desk& desk);
-  void draw_buttons(Desk& desk);
+  void take_clicks(PanelContext& context);
+  void draw_buttons(PanelContext& context);
   void draw_hint() const;
   void draw_cut(const RunSnapshot& run);
-  void mark_line(Desk& desk) const;
-  void save(Studio& studio);
+  void mark_line(PanelContext& context) const;
+  void save(AppModel& app);
 
   bool picking_ = false;
   std::optional<CellPlace> from_;
@@ -46,11 +46,11 @@ class SectionPanel final : public Panel {
   FilePopup file_{{.title = "SAVE SECTION", .action = "SAVE", .endings = {".csv"}, .saving = true}};
 };
 
-void SectionPanel::take_clicks(Desk& desk) {
+void SectionPanel::take_clicks(PanelContext& context) {
   if (!picking_) return;
-  desk.tool = LandTool::section;
-  if (!desk.land.pressed || !desk.land.cell) return;
-  const CellPlace cell = *desk.land.cell;
+  context.tool = TerrainTool::section;
+  if (!context.pointer.pressed || !context.pointer.cell) return;
+  const CellPlace cell = *context.pointer.cell;
   if (!from_ || to_) {
     from_ = cell;
     to_.reset();
@@ -61,8 +61,8 @@ void SectionPanel::take_clicks(Desk& desk) {
   }
 }
 
-void SectionPanel::draw_buttons(Desk& desk) {
-  if (button("PICK TWO POINTS", {.tooltip = "Then click two points of the land.",
+void SectionPanel::draw_buttons(PanelContext& context) {
+  if (button("PICK TWO POINTS", {.tooltip = "Then click two points of the terrain.",
                                  .look = picking_ ? ButtonLook::accent : ButtonLook::plain})) {
     picking_ = !picking_;
     if (picking_) {
@@ -78,19 +78,19 @@ void SectionPanel::draw_buttons(Desk& desk) {
   }
   ImGui::SameLine();
   if (button("SAVE", {.tooltip = "The cut as CSV.", .unavailable = to_ ? "" : "Pick two points first."})) {
-    file_.ask(desk.studio.settings(), "section.csv");
+    file_.ask(context.app.settings(), "section.csv");
   }
 }
 
 void SectionPanel::draw_hint() const {
-  if (picking_ && !from_) explain("Click the first point on the land.");
+  if (picking_ && !from_) explain("Click the first point on the terrain.");
   if (picking_ && from_) explain("From cell " + cell_text(*from_) + ". Click the second point.");
   if (!picking_ && !to_) explain("A cut through the ground shows here once two points are picked.");
 }
 
 void SectionPanel::draw_cut(const RunSnapshot& run) {
   if (!lies_on(*run.terrain, *from_) || !lies_on(*run.terrain, *to_)) {
-    explain("The points lie outside this terrain. Pick them anew.");
+    explain("The points lie outside this terrain. Pick them again.");
     return;
   }
   if (cut_version_ != run.terrain_version) {
@@ -108,44 +108,44 @@ void SectionPanel::draw_cut(const RunSnapshot& run) {
           figure_text(cut_.distance.empty() ? 0 : cut_.distance.back()) + " m.");
 }
 
-void SectionPanel::mark_line(Desk& desk) const {
+void SectionPanel::mark_line(PanelContext& context) const {
   if (!from_) return;
-  LandMark line;
+  TerrainMark line;
   const auto add = [&](CellPlace cell) {
     line.points.push_back({static_cast<double>(cell.x), static_cast<double>(cell.y)});
   };
   add(*from_);
   if (to_) {
     add(*to_);
-  } else if (desk.land.cell) {
-    add(*desk.land.cell);
+  } else if (context.pointer.cell) {
+    add(*context.pointer.cell);
   }
-  if (line.points.size() > 1) desk.marks.push_back(line);
+  if (line.points.size() > 1) context.marks.push_back(line);
 }
 
-void SectionPanel::save(Studio& studio) {
-  const auto file = file_.draw(studio);
+void SectionPanel::save(AppModel& app) {
+  const auto file = file_.draw(app);
   if (!file) return;
   try {
-    session::write_section(*file, cut_, studio.provenance());
-    studio.log().information("saved " + file->string());
+    session::write_section(*file, cut_, app.provenance());
+    app.log().information("saved " + file->string());
   } catch (const InputError& error) {
-    studio.log().mistakes(error);
+    app.log().mistakes(error);
   }
 }
 
-void SectionPanel::draw(Desk& desk) {
-  const RunSnapshot* const run = desk.studio.active_run();
+void SectionPanel::draw(PanelContext& context) {
+  const RunSnapshot* const run = context.app.active_run();
   if (run == nullptr) {
-    explain("There is no land to cut yet.");
+    explain("There is no terrain to cut yet.");
     return;
   }
-  take_clicks(desk);
-  draw_buttons(desk);
+  take_clicks(context);
+  draw_buttons(context);
   draw_hint();
   if (from_ && to_) draw_cut(*run);
-  mark_line(desk);
-  save(desk.studio);
+  mark_line(context);
+  save(context.app);
 }
 
 }  // namespace

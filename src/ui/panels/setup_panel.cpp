@@ -1,6 +1,6 @@
 // SETUP: what the run is made of.
+#include "session/app_model.h"
 #include "session/step_cost.h"
-#include "session/studio.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/setup_rows.h"
 #include "ui/widgets/axis_ticks.h"
@@ -9,17 +9,17 @@
 
 namespace erg::ui {
 
+using session::AppModel;
 using session::Settings;
 using session::Setup;
-using session::Studio;
 using sim::Config;
 
 namespace {
 
 /// The config that runs now in the place of the setup under edit; null before there is one.
-const Config* running_config(const Studio& studio) {
-  const session::Snapshot& now = studio.now();
-  return studio.active() < now.runs.size() ? now.runs[studio.active()].config.get() : nullptr;
+const Config* running_config(const AppModel& app) {
+  const session::Snapshot& now = app.now();
+  return app.active() < now.runs.size() ? now.runs[app.active()].config.get() : nullptr;
 }
 
 /// What waits for CREATE, for its tooltip.
@@ -32,18 +32,18 @@ std::string waiting_for_create(const Setup& setup, const Config* running) {
       if (row.pending && row.needs_new_terrain) waiting += "\n- " + row.parameter->label;
     }
   }
-  return waiting.empty() ? "Makes the terrain anew." : "Makes a new terrain. These changes wait for it:" + waiting;
+  return waiting.empty() ? "Makes the terrain again." : "Makes a new terrain. These changes wait for it:" + waiting;
 }
 
 class SetupPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::setup; }
   Dock dock() const override { return Dock::left; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
-  static void draw_run_choice(Studio& studio);
-  void draw_buttons(Desk& desk, const Config* running);
+  static void draw_run_choice(AppModel& app);
+  void draw_buttons(PanelContext& context, const Config* running);
   void draw_cost(const Config& config);
   static void draw_model(Setup& setup);
   void draw_groups(Setup& setup, const Config* running, const Settings& settings);
@@ -56,38 +56,38 @@ class SetupPanel final : public Panel {
   FilePopup picture_{{.title = "CHOOSE A PICTURE", .action = "CHOOSE", .endings = {".png"}}};
 };
 
-void SetupPanel::draw_run_choice(Studio& studio) {
-  const std::size_t runs = studio.comparison().size();
+void SetupPanel::draw_run_choice(AppModel& app) {
+  const std::size_t runs = app.comparison().size();
   if (runs < 2) return;
   for (std::size_t run = 0; run < runs; ++run) {
     if (run > 0) ImGui::SameLine();
     const std::string label = "run " + std::to_string(run + 1);
-    const bool active = run == studio.active();
+    const bool active = run == app.active();
     if (button(label.c_str(), {.tooltip = "The rows below are those of this run.",
                                .look = active ? ButtonLook::accent : ButtonLook::plain})) {
-      studio.set_active(run);
+      app.set_active(run);
     }
   }
 }
 
-void SetupPanel::draw_buttons(Desk& desk, const Config* running) {
-  Studio& studio = desk.studio;
-  const std::vector<Mistake> mistakes = studio.setup().mistakes();
-  const bool needed = studio.create_needed();
+void SetupPanel::draw_buttons(PanelContext& context, const Config* running) {
+  AppModel& app = context.app;
+  const std::vector<Mistake> mistakes = app.setup().mistakes();
+  const bool needed = app.create_needed();
   const float half = share_of_width(2);
-  if (button("CREATE", {.tooltip = waiting_for_create(studio.setup(), running),
+  if (button("CREATE", {.tooltip = waiting_for_create(app.setup(), running),
                         .unavailable = mistakes.empty() ? "" : "Something stands against it; see below.",
                         .look = needed ? ButtonLook::accent : ButtonLook::plain,
                         .size = {half, 0}})) {
-    desk.leave("CREATE", session::Leaves::land, [&studio] { studio.create(); });
+    context.leave("CREATE", session::Leaves::terrain, [&app] { app.create(); });
   }
   ImGui::SameLine();
   if (button("RESET DEFAULT",
              {.tooltip = "Every value back to its default, the wind too; the model stays.", .size = {half, 0}})) {
-    studio.setup().reset_all();
+    app.setup().reset_all();
   }
   for (const Mistake& mistake : mistakes) say(mistake.text(), Gui::current().theme().lost);
-  if (needed && mistakes.empty()) draw_cost(studio.setup().config());
+  if (needed && mistakes.empty()) draw_cost(app.setup().config());
 }
 
 /// What will crawl says so before it is made.
@@ -161,14 +161,14 @@ void SetupPanel::draw_groups(Setup& setup, const Config* running, const Settings
   }
 }
 
-void SetupPanel::draw(Desk& desk) {
-  Studio& studio = desk.studio;
-  const Config* running = running_config(studio);
-  draw_run_choice(studio);
-  draw_buttons(desk, running);
-  draw_model(studio.setup());
-  draw_groups(studio.setup(), running, studio.settings());
-  if (const auto file = picture_.draw(studio)) studio.setup().set(picture_group_, picture_key_, file->string());
+void SetupPanel::draw(PanelContext& context) {
+  AppModel& app = context.app;
+  const Config* running = running_config(app);
+  draw_run_choice(app);
+  draw_buttons(context, running);
+  draw_model(app.setup());
+  draw_groups(app.setup(), running, app.settings());
+  if (const auto file = picture_.draw(app)) app.setup().set(picture_group_, picture_key_, file->string());
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // TEMPERATURE: what runs over all of the run, for models that use it.
 #include <algorithm>
 
-#include "session/studio.h"
+#include "core/number_text.h"
+#include "session/app_model.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/curve_editor.h"
 #include "ui/widgets/widgets.h"
@@ -12,8 +13,8 @@ using session::Setup;
 
 namespace {
 
-bool shown(const Desk& desk, const Channel& channel) {
-  return channel.over_run != nullptr && uses_channel(desk.studio.setup().model().info.channels, channel);
+bool shown(const PanelContext& context, const Channel& channel) {
+  return channel.over_run != nullptr && uses_channel(context.app.setup().model().info.channels, channel);
 }
 
 bool draw_ends(const Parameter& declared, Course& course) {
@@ -29,18 +30,18 @@ bool draw_ends(const Parameter& declared, Course& course) {
   return row("at the end", course.last) || first_changed;
 }
 
-bool draw_curve(const Desk& desk, const Parameter& declared, Course& course) {
+bool draw_curve(const PanelContext& context, const Parameter& declared, Course& course) {
   if (course.is_constant()) {
     explain("The " + declared.key + " stays the same over the run. Give it another end to bend its curve.");
     return false;
   }
   CurveFrame frame;
   frame.x_label = "step of the run";
-  frame.y_label = declared.unit;
-  frame.x = {0, static_cast<double>(std::max<std::int64_t>(1, desk.studio.setup().config().run.integer("steps") - 1))};
+  frame.y_label = unit_text(declared.unit);
+  frame.x = {0, static_cast<double>(std::max<std::int64_t>(1, context.app.setup().config().run.integer("steps") - 1))};
   frame.y = {course.first, course.last};
   frame.height = Gui::current().px(170);
-  if (desk.studio.now().has_runs()) frame.cursor = static_cast<double>(desk.studio.now().step());
+  if (context.app.now().has_runs()) frame.cursor = static_cast<double>(context.app.now().step());
   return edit_curve("curve", course.curve, frame);
 }
 
@@ -48,16 +49,16 @@ class TemperaturePanel final : public Panel {
  public:
   const char* title() const override { return panel_title::temperature; }
   Dock dock() const override { return Dock::left; }
-  bool wanted(const Desk& desk) const override {
-    return std::ranges::any_of(channels(), [&](const Channel& channel) { return shown(desk, channel); });
+  bool wanted(const PanelContext& context) const override {
+    return std::ranges::any_of(channels(), [&](const Channel& channel) { return shown(context, channel); });
   }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 };
 
-void TemperaturePanel::draw(Desk& desk) {
+void TemperaturePanel::draw(PanelContext& context) {
   bool is_first = true;
   for (const Channel& channel : channels()) {
-    if (!shown(desk, channel)) continue;
+    if (!shown(context, channel)) continue;
     // The panel has the first one's name.
     std::optional<WidgetScope> scope;
     if (!is_first) {
@@ -65,10 +66,10 @@ void TemperaturePanel::draw(Desk& desk) {
       scope.emplace(channel.declared.key);
     }
     is_first = false;
-    Setup& setup = desk.studio.setup();
+    Setup& setup = context.app.setup();
     Course course = setup.config().weather.*channel.over_run;
     const bool ends_changed = draw_ends(channel.declared, course);
-    if (draw_curve(desk, channel.declared, course) || ends_changed) setup.set_course(channel, course);
+    if (draw_curve(context, channel.declared, course) || ends_changed) setup.set_course(channel, course);
   }
 }
 

@@ -8,9 +8,9 @@
 
 namespace erg::ui {
 
+using session::AppModel;
 using session::Export;
-using session::Studio;
-using session::UnsavedWork;
+using session::UnsavedItem;
 
 namespace {
 
@@ -21,13 +21,13 @@ class UnsavedPanel final : public Panel {
   const char* title() const override { return unsaved_title; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {560, 130}; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
-  void draw_buttons(Desk& desk, const UnsavedWork& work);
-  void save(Studio& studio, const UnsavedWork& work);
-  void take_file(Desk& desk, const UnsavedWork& work);
-  void go_on(Desk& desk);
+  void draw_buttons(PanelContext& context, const UnsavedItem& work);
+  void save(AppModel& app, const UnsavedItem& work);
+  void take_file(PanelContext& context, const UnsavedItem& work);
+  void go_on(PanelContext& context);
 
   std::optional<Parting>& parting_;
   bool saving_ = false;  // SAVE was pressed
@@ -35,66 +35,68 @@ class UnsavedPanel final : public Panel {
   FilePopup checkpoint_{{.title = "SAVE THE LAND", .action = "SAVE", .endings = {".checkpoint"}, .saving = true}};
 };
 
-void UnsavedPanel::go_on(Desk& desk) {
-  desk.close(title());
+void UnsavedPanel::go_on(PanelContext& context) {
+  context.close(title());
   if (const std::optional<Parting> parting = std::exchange(parting_, std::nullopt)) parting->act();
 }
 
-void UnsavedPanel::save(Studio& studio, const UnsavedWork& work) {
+void UnsavedPanel::save(AppModel& app, const UnsavedItem& work) {
   saving_ = true;
-  studio.set_active(work.run);
-  if (work.land) {
-    checkpoint_.ask(studio.settings(),
-                    studio.suggested_name("-" + std::to_string(studio.now().step()) + ".checkpoint"));
-  } else if (studio.has_own_file()) {
-    studio.save_config(studio.file());
+  app.set_active(work.run);
+  if (work.terrain) {
+    checkpoint_.ask(app.settings(), app.suggested_name("-" + std::to_string(app.now().step()) + ".checkpoint"));
+  } else if (app.has_own_file()) {
+    app.save_config(app.file());
   } else {
-    config_.ask(studio.settings(), studio.suggested_name(".json"));
+    config_.ask(app.settings(), app.suggested_name(".json"));
   }
 }
 
-void UnsavedPanel::draw_buttons(Desk& desk, const UnsavedWork& work) {
-  const Export* const running = desk.studio.running_export();
+void UnsavedPanel::draw_buttons(PanelContext& context, const UnsavedItem& work) {
+  const Export* const running = context.app.running_export();
   const bool writing = running != nullptr && running->state() == Export::State::writing;
   if (writing) {
     ImGui::ProgressBar(static_cast<float>(running->progress()), {-1, 0}, running->path().filename().c_str());
   }
-  if (button("SAVE", {.tooltip = work.land ? "Asks for a file: a checkpoint, which holds land and setup to go on from"
-                                           : "Saves the setup as a config",
-                      .unavailable = writing ? "A file is being written." : "",
-                      .look = ButtonLook::accent})) {
-    save(desk.studio, work);
+  if (button("SAVE",
+             {.tooltip = work.terrain ? "Asks for a file: a checkpoint, which holds terrain and setup to go on from"
+                                      : "Saves the setup as a config",
+              .unavailable = writing ? "A file is being written." : "",
+              .look = ButtonLook::accent})) {
+    save(context.app, work);
   }
   ImGui::SameLine();
   const std::string without = parting_->what + " WITHOUT SAVING";
-  if (button(without.c_str(), {.tooltip = "What is in no file is lost.", .name = "WITHOUT SAVING"})) return go_on(desk);
+  if (button(without.c_str(), {.tooltip = "What is in no file is lost.", .name = "WITHOUT SAVING"}))
+    return go_on(context);
   ImGui::SameLine();
   if (button("CANCEL", {.tooltip = "Everything stays as it is."})) {
     parting_.reset();
-    desk.close(title());
+    context.close(title());
   }
 }
 
-void UnsavedPanel::take_file(Desk& desk, const UnsavedWork& work) {
-  if (const auto file = config_.draw(desk.studio)) {
-    if (!desk.studio.save_config(*file)) desk.open(panel_title::log);
+void UnsavedPanel::take_file(PanelContext& context, const UnsavedItem& work) {
+  if (const auto file = config_.draw(context.app)) {
+    if (!context.app.save_config(*file)) context.open(panel_title::log);
   }
-  if (const auto file = checkpoint_.draw(desk.studio)) {
-    desk.studio.set_active(work.run);
-    desk.studio.start_export(*file, "checkpoint");
+  if (const auto file = checkpoint_.draw(context.app)) {
+    context.app.set_active(work.run);
+    context.app.start_export(*file, "checkpoint");
   }
 }
 
-void UnsavedPanel::draw(Desk& desk) {
-  if (!parting_) return desk.close(title());
+void UnsavedPanel::draw(PanelContext& context) {
+  if (!parting_) return context.close(title());
   if (ImGui::IsWindowAppearing()) saving_ = false;
-  const std::optional<UnsavedWork> work = desk.studio.unsaved_work(parting_->leaves);
-  if (!work && saving_) return go_on(desk);
-  if (!work) return desk.close(title());  // it was saved or taken back elsewhere: nobody has said that it should go on
+  const std::optional<UnsavedItem> work = context.app.unsaved_work(parting_->leaves);
+  if (!work && saving_) return go_on(context);
+  if (!work)
+    return context.close(title());  // it was saved or taken back elsewhere: nobody has said that it should go on
   say(work->what, Gui::current().theme().text);
   ImGui::Spacing();
-  draw_buttons(desk, *work);
-  take_file(desk, *work);
+  draw_buttons(context, *work);
+  take_file(context, *work);
 }
 
 }  // namespace

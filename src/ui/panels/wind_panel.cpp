@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "forcing/bearing.h"
-#include "session/studio.h"
+#include "session/app_model.h"
 #include "session/wind_cycle.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/axis_ticks.h"
@@ -28,7 +28,7 @@ class WindPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::wind; }
   Dock dock() const override { return Dock::left; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   bool shows_seasons(const session::WindEditor& wind) const { return seasons_wanted_ || !wind.regime().is_constant(); }
@@ -39,9 +39,9 @@ class WindPanel final : public Panel {
   void draw_strengths(session::WindEditor wind, const std::string& strength_label);
   void draw_column(session::WindEditor wind, const std::string& key) const;
   void draw_swing(session::WindEditor wind) const;
-  void draw_curve(session::WindEditor wind, const session::Studio& studio, const std::string& strength_label);
+  void draw_curve(session::WindEditor wind, const session::AppModel& app, const std::string& strength_label);
   void draw_cycle(const session::WindEditor& wind, std::int64_t step, const std::string& strength_label) const;
-  static void draw_rose(const session::WindEditor& wind, const session::Studio& studio);
+  static void draw_rose(const session::WindEditor& wind, const session::AppModel& app);
 
   std::size_t selected_ = 0;
   bool seasons_wanted_ = false;
@@ -178,7 +178,7 @@ void WindPanel::draw_swing(session::WindEditor wind) const {
   if (wind.season(selected_).spread > 0) draw_column(wind, "hold");
 }
 
-void WindPanel::draw_curve(session::WindEditor wind, const session::Studio& studio, const std::string& strength_label) {
+void WindPanel::draw_curve(session::WindEditor wind, const session::AppModel& app, const std::string& strength_label) {
   const Season& season = wind.season(selected_);
   if (season.first == season.last) {
     explain("The strength stays the same over this season. Give it another last strength to bend its curve.");
@@ -191,8 +191,8 @@ void WindPanel::draw_curve(session::WindEditor wind, const session::Studio& stud
   frame.y = {season.first, season.last};
   frame.height = Gui::current().px(170);
   const session::WindCycle cycle = session::sample_cycle(wind.regime(), 2);
-  if (studio.now().has_runs() && cycle.season_at(studio.now().step()) == selected_) {
-    frame.cursor = static_cast<double>(cycle.position(studio.now().step()) - cycle.season_starts[selected_]);
+  if (app.now().has_runs() && cycle.season_at(app.now().step()) == selected_) {
+    frame.cursor = static_cast<double>(cycle.position(app.now().step()) - cycle.season_starts[selected_]);
   }
   BezierCurve curve = season.curve;
   if (edit_curve("curve", curve, frame)) wind.set_curve(selected_, curve);
@@ -220,14 +220,14 @@ void WindPanel::draw_cycle(const session::WindEditor& wind, std::int64_t step,
   draw_plot("cycle", {&line, 1}, frame);
 }
 
-void WindPanel::draw_rose(const session::WindEditor& wind, const session::Studio& studio) {
+void WindPanel::draw_rose(const session::WindEditor& wind, const session::AppModel& app) {
   const Gui& gui = Gui::current();
-  const std::int64_t now = studio.now().step();
+  const std::int64_t now = app.now().step();
   std::int64_t end = now + wind.regime().cycle();
-  if (studio.now().has_runs()) end = std::max(end, studio.now().runs.front().config->run.integer("steps"));
+  if (app.now().has_runs()) end = std::max(end, app.now().runs.front().config->run.integer("steps"));
   const session::WindRose rose = session::wind_rose(wind.regime(), now, end, session::WindRecord::sectors);
   // What has blown is what was recorded: the seasons may be set to anything else by now.
-  draw_wind_rose("rose", studio.now().blown.sums, rose.to_blow, gui.px(150));
+  draw_wind_rose("rose", app.now().blown.sums, rose.to_blow, gui.px(150));
   ImGui::SameLine();
   ImGui::BeginGroup();
   ImGui::Dummy({1, gui.px(40)});
@@ -247,15 +247,15 @@ void WindPanel::draw_rose(const session::WindEditor& wind, const session::Studio
   ImGui::EndGroup();
 }
 
-void WindPanel::draw(Desk& desk) {
-  session::Studio& studio = desk.studio;
-  session::WindEditor wind = studio.comparison().wind();
+void WindPanel::draw(PanelContext& context) {
+  session::AppModel& app = context.app;
+  session::WindEditor wind = app.comparison().wind();
   selected_ = std::min(selected_, wind.seasons() - 1);
-  const std::string strength_label = studio.setup().model().info.strength_label;
+  const std::string strength_label = app.setup().model().info.strength_label;
   draw_kind(wind);
   selected_ = std::min(selected_, wind.seasons() - 1);
   if (shows_seasons(wind)) {
-    const std::size_t now = session::sample_cycle(wind.regime(), 2).season_at(studio.now().step());
+    const std::size_t now = session::sample_cycle(wind.regime(), 2).season_at(app.now().step());
     draw_list(wind, now);
     draw_list_buttons(wind);
   }
@@ -263,13 +263,13 @@ void WindPanel::draw(Desk& desk) {
   draw_strengths(wind, strength_label);
   draw_swing(wind);
   for (const Channel& channel : channels()) {
-    if (channel.of_season != nullptr && studio.comparison().uses(channel)) draw_column(wind, channel.declared.key);
+    if (channel.of_season != nullptr && app.comparison().uses(channel)) draw_column(wind, channel.declared.key);
   }
   if (shows_seasons(wind)) {
-    draw_curve(wind, studio, strength_label);
-    if (section("The whole cycle")) draw_cycle(wind, studio.now().step(), strength_label);
+    draw_curve(wind, app, strength_label);
+    if (section("The whole cycle")) draw_cycle(wind, app.now().step(), strength_label);
   }
-  if (section("Wind rose")) draw_rose(wind, studio);
+  if (section("Wind rose")) draw_rose(wind, app);
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 namespace erg::ui {
 
+using session::AppModel;
 using session::SaveQuestion;
 using session::Settings;
-using session::Studio;
 using session::typed_path;
 
 namespace {
@@ -57,13 +57,13 @@ void FileBrowser::go_to(const fs::path& folder) {
   asked_about_.clear();
 }
 
-void FileBrowser::draw_places(Studio& studio) {
+void FileBrowser::draw_places(AppModel& app) {
   const Gui& gui = Gui::current();
   ImGui::BeginChild("places", {gui.px(190), -2.2f * ImGui::GetFrameHeightWithSpacing()}, true);
   {
     const WidgetScope scope("places");
     explain("Places");
-    for (const session::Place& place : session::places(studio.folders().presets)) {
+    for (const session::Place& place : session::places(app.folders().presets)) {
       if (pick(place.label, place.path == listing_.folder, place.path.string())) go_to(place.path);
     }
   }
@@ -71,11 +71,11 @@ void FileBrowser::draw_places(Studio& studio) {
     const WidgetScope scope("recent");
     ImGui::Spacing();
     explain("Recent");
-    for (const std::string& recent : studio.settings().recent) {
+    for (const std::string& recent : app.settings().recent) {
       const fs::path path = recent;
       if (pick(path.filename().string(), false, recent)) choose(path);
     }
-    if (studio.settings().recent.empty()) explain("Nothing yet. The gallery has presets to start from.");
+    if (app.settings().recent.empty()) explain("Nothing yet. The gallery has presets to start from.");
   }
   ImGui::EndChild();
 }
@@ -207,10 +207,10 @@ void FileBrowser::choose(const fs::path& path) {
   }
 }
 
-std::optional<fs::path> FileBrowser::draw(Studio& studio) {
-  if (listing_.folder.empty()) start(studio.settings(), name_);
+std::optional<fs::path> FileBrowser::draw(AppModel& app) {
+  if (listing_.folder.empty()) start(app.settings(), name_);
   chosen_.reset();
-  draw_places(studio);
+  draw_places(app);
   ImGui::SameLine();
   ImGui::BeginGroup();
   draw_path_line();
@@ -219,7 +219,7 @@ std::optional<fs::path> FileBrowser::draw(Studio& studio) {
   ImGui::EndGroup();
   draw_name_line();
   if (chosen_) {
-    studio.settings().last_folder = chosen_->parent_path().string();
+    app.settings().last_folder = chosen_->parent_path().string();
     listing_ = {};  // what it showed may change with what is done now
   }
   return chosen_;
@@ -230,7 +230,7 @@ void FilePopup::ask(const Settings& settings, const std::string& name) {
   opening_ = true;
 }
 
-std::optional<fs::path> FilePopup::draw(Studio& studio) {
+std::optional<fs::path> FilePopup::draw(AppModel& app) {
   const Gui& gui = Gui::current();
   const char* title = browser_.task().title.c_str();
   if (opening_) ImGui::OpenPopup(title);
@@ -244,7 +244,7 @@ std::optional<fs::path> FilePopup::draw(Studio& studio) {
   std::optional<fs::path> chosen;
   {
     const WidgetScope scope(title);
-    chosen = browser_.draw(studio);
+    chosen = browser_.draw(app);
   }
   if (chosen || browser_.cancelled()) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

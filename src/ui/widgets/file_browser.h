@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "session/app_model.h"
 #include "session/folder_listing.h"
-#include "session/studio.h"
 
 namespace erg::ui {
 
@@ -29,13 +29,13 @@ class FileBrowser {
   /// Shows the folder used last with this name typed; reads the disk anew.
   void start(const session::Settings& settings, const std::string& name);
   /// Draws it; the file that was chosen, in the frame it is, once every question is answered.
-  std::optional<std::filesystem::path> draw(session::Studio& studio);
+  std::optional<std::filesystem::path> draw(session::AppModel& app);
   /// CANCEL or Escape was pressed in the last frame.
   bool cancelled() const { return cancelled_; }
 
  private:
   void go_to(const std::filesystem::path& folder);
-  void draw_places(session::Studio& studio);
+  void draw_places(session::AppModel& app);
   void draw_path_line();
   void draw_entries();
   std::optional<std::filesystem::path> draw_rows();  ///< a folder that was clicked
@@ -63,7 +63,7 @@ class FilePopup {
   void ask(const session::Settings& settings, const std::string& name);
   void set_endings(std::vector<std::string> endings) { browser_.set_endings(std::move(endings)); }
   /// Draws it while it is open; the file that was chosen, once.
-  std::optional<std::filesystem::path> draw(session::Studio& studio);
+  std::optional<std::filesystem::path> draw(session::AppModel& app);
 
  private:
   FileBrowser browser_;

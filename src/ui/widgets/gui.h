@@ -1,4 +1,4 @@
-// ImGui with Erg's letters and colours: everything that panels need to draw themselves, with no window behind it.
+// ImGui with Erg's fonts and colours: everything that panels need to draw themselves, with no window behind it.
 #pragma once
 
 #include <imgui.h>
@@ -36,7 +36,7 @@ class Gui {
 
   /// Between frames only; takes hold at once.
   void set_theme(ThemeKind theme);
-  /// The same; letters of another size need a new texture (`font_version`).
+  /// The same; text of another size needs a new texture (`font_version`).
   void set_scale(float scale);
 
   const Theme& theme() const { return theme_; }
@@ -46,7 +46,7 @@ class Gui {
   float px(float length) const { return length * scale_; }
   ImFont* heading_font() const { return heading_font_; }
   WidgetMap& widgets() { return widgets_; }
-  /// Counts up whenever the texture of the letters has to be uploaded anew.
+  /// Counts up whenever the texture of the fonts has to be uploaded again.
   int font_version() const { return font_version_; }
 
   /// Says that this text, UTF-8, is to be drawn: letters that are not loaded yet are from the next frame on, where any

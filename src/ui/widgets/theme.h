@@ -5,7 +5,7 @@
 
 namespace erg::ui {
 
-/// Light letters on dark ground, or the other way round.
+/// Light text on dark ground, or the other way round.
 enum class ThemeKind { dark, light };
 
 /// Colours by what they mean.
@@ -29,7 +29,7 @@ struct Theme {
   ImVec4 line(int index) const;
 };
 
-/// Sizes of letters at scale 1, pixels.
+/// Text sizes at scale 1, pixels.
 inline constexpr float text_size = 15;
 inline constexpr float heading_size = 17;
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/number_text.h"
 #include "ui/widgets/curve_editor.h"
 #include "ui/widgets/row_table.h"
 #include "ui/widgets/typed_number.h"
@@ -109,7 +110,7 @@ ImGuiSliderFlags slider_flags(double minimum, double maximum) {
 std::string with_unit(const char* number, const std::string& unit) {
   std::string format = number;
   if (!unit.empty()) format += " ";
-  for (const char letter : unit) format += letter == '%' ? std::string("%%") : std::string(1, letter);
+  for (const char letter : unit_text(unit)) format += letter == '%' ? std::string("%%") : std::string(1, letter);
   return format;
 }
 
@@ -132,7 +133,7 @@ RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& 
   const std::vector<CurvePoint>& standard = std::get<PiecewiseLinear>(parameter.default_value).vertices;
   CurveFrame frame;
   frame.x_label = parameter.x_label;
-  frame.y_label = parameter.unit;
+  frame.y_label = unit_text(parameter.unit);
   frame.x = {std::min(standard.front().x, curve.vertices.front().x),
              std::max(standard.back().x, curve.vertices.back().x)};
   frame.y = {parameter.minimum, parameter.maximum};

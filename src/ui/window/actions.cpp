@@ -75,17 +75,17 @@ std::vector<KeyHelp> key_help(const std::vector<MenuAction>& actions) {
   for (const MenuAction& action : actions) {
     if (action.key != 0) help.push_back({action.menu, shortcut_text(action), action.label});
   }
-  const std::vector<KeyHelp> land{
-      {"Land", "left drag", "turn the land (or use the tool that a panel has switched on)"},
-      {"Land", "right drag, middle drag, Shift+left drag", "shift the land"},
-      {"Land", "Ctrl+left drag", "look around from where you stand"},
-      {"Land", "wheel", "come nearer to what is under the pointer, or go away"},
-      {"Land", "W A S D", "fly forwards, left, back, right"},
-      {"Land", "Q E", "fly down, up"},
+  const std::vector<KeyHelp> terrain{
+      {"Terrain", "left drag", "turn the terrain (or use the tool that a panel has switched on)"},
+      {"Terrain", "right drag, middle drag, Shift+left drag", "shift the terrain"},
+      {"Terrain", "Ctrl+left drag", "look around from where you stand"},
+      {"Terrain", "wheel", "come nearer to what is under the pointer, or go away"},
+      {"Terrain", "W A S D", "fly forwards, left, back, right"},
+      {"Terrain", "Q E", "fly down, up"},
       {"Entries", "double click, Ctrl+click", "type a number into a slider"},
       {"Entries", "Esc", "close the menu, list or dialog on top"},
   };
-  help.insert(help.end(), land.begin(), land.end());
+  help.insert(help.end(), terrain.begin(), terrain.end());
   return help;
 }
 

@@ -30,7 +30,7 @@ void draw_menus(const std::vector<MenuAction>& actions);
 /// Does what the keys pressed in this frame ask for. Letters and space type where something is being typed.
 void press_keys(const std::vector<MenuAction>& actions);
 
-/// The keys of the table, and those of the land.
+/// The keys of the table, and those of the terrain.
 std::vector<KeyHelp> key_help(const std::vector<MenuAction>& actions);
 
 }  // namespace erg::ui

@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "io/formats/png.h"
-#include "ui/land/land_view.h"
+#include "ui/land/terrain_panes.h"
 #include "ui/panels/panels.h"
 #include "ui/window/gui_renderer.h"
 #include "ui/window/shell.h"
@@ -75,13 +75,13 @@ std::optional<RgbaImage> read_image(const std::filesystem::path& path) {
   return image;
 }
 
-class Desktop final : public Stage {
+class Desktop final : public Host {
  public:
   explicit Desktop(const DesktopRequest& request);
 
   void run();
 
-  const LandGround* ground(std::size_t run) override { return land_.ground(run); }
+  const TerrainGround* ground(std::size_t run) override { return terrain_.ground(run); }
   ImTextureID picture(const std::filesystem::path& path) override;
   void save_picture(const PictureOrder& order) override;
   float frames_per_second() const override { return frame_rate_; }
@@ -95,12 +95,12 @@ class Desktop final : public Stage {
   bool must_close();
 
   const std::function<bool()> asked_to_end_;
-  session::Studio studio_;
+  session::AppModel app_;
   std::unique_ptr<StillPainter> stills_ = std::make_unique<StillPainter>();  // before the window, as it asks
   Gui gui_;  // before the window, whose input goes into it
   Window window_;
   GuiRenderer renderer_;
-  LandView land_;
+  TerrainPanes terrain_;
   Shell shell_;
   MapFile map_;
   FrameCounter frames_;
@@ -120,24 +120,24 @@ WindowOptions Desktop::options(const DesktopRequest& request, const Settings& se
 
 Desktop::Desktop(const DesktopRequest& request)
     : asked_to_end_(request.asked_to_end),
-      studio_(request.folders),
-      window_(options(request, studio_.settings())),
-      land_(window_.is_software(), stills_.get()),
-      shell_(studio_, *this, gui_),
+      app_(request.folders),
+      window_(options(request, app_.settings())),
+      terrain_(window_.is_software(), stills_.get()),
+      shell_(app_, *this, gui_),
       map_(request.widget_map) {
   if (!window_.is_software()) stills_.reset();  // a graphics card is quick enough by itself
-  if (request.scale > 0) studio_.settings().scale = request.scale;
-  studio_.log().information("drawing with " + window_.driver());
-  if (const std::string why = studio_.why_not_kept(); !why.empty()) {
+  if (request.scale > 0) app_.settings().scale = request.scale;
+  app_.log().information("drawing with " + window_.driver());
+  if (const std::string why = app_.why_not_kept(); !why.empty()) {
     std::fprintf(stderr, "erg: %s\n", why.c_str());
-    studio_.log().warning(why);
+    app_.log().warning(why);
   }
   if (!request.open.empty()) {
-    if (!studio_.open(request.open)) shell_.open(panel_title::log);
+    if (!app_.open(request.open)) shell_.open(panel_title::log);
   } else {
     shell_.open(panel_title::gallery);
   }
-  if (!studio_.lost_sessions().empty()) shell_.open(panel_title::recovery);
+  if (!app_.crashed_sessions().empty()) shell_.open(panel_title::recovery);
 }
 
 ImTextureID Desktop::picture(const std::filesystem::path& path) {
@@ -150,52 +150,52 @@ ImTextureID Desktop::picture(const std::filesystem::path& path) {
 }
 
 void Desktop::save_picture(const PictureOrder& order) {
-  const session::RunSnapshot* const run = studio_.active_run();
-  if (run == nullptr) throw InputError(order.path.string(), "there is no land to draw", "create one first");
-  Look look = shell_.scenery().look;
+  const session::RunSnapshot* const run = app_.active_run();
+  if (run == nullptr) throw InputError(order.path.string(), "there is no terrain to draw", "create one first");
+  Look look = shell_.view_state().look;
   look.transparent = order.transparent;
-  look.legend = shell_.scenery().legend;
-  const render::Picture picture = land_.picture(*run, look, shell_.scenery().camera.camera(), order.size);
-  io::write_run_png(order.path, picture.image, studio_.provenance());
+  look.legend = shell_.view_state().legend;
+  const render::Picture picture = terrain_.picture(*run, look, shell_.view_state().camera.camera(), order.size);
+  io::write_run_png(order.path, picture.image, app_.provenance());
 }
 
 bool Desktop::busy() {
-  const Activity activity = studio_.now().activity;
+  const Activity activity = app_.now().activity;
   const bool moving = activity == Activity::running || activity == Activity::building;
-  const bool view_to_come = studio_.now().has_runs() && !shell_.scenery().wanted_view.empty();
+  const bool view_to_come = app_.now().has_runs() && !shell_.view_state().wanted_view.empty();
   // A brush that is held goes on pouring; a slider that is held follows.
-  return moving || view_to_come || ImGui::IsAnyMouseDown() || land_.unfinished() ||
-         studio_.runner().snapshot()->number != shown_snapshot_ || studio_.log().version() != shown_log_;
+  return moving || view_to_come || ImGui::IsAnyMouseDown() || terrain_.unfinished() ||
+         app_.runner().snapshot()->number != shown_snapshot_ || app_.log().version() != shown_log_;
 }
 
 bool Desktop::must_close() {
   if (!asked_to_end_ || !asked_to_end_()) return false;
-  std::fprintf(stderr, "erg: asked to end: %s\n", studio_.rescue().c_str());
+  std::fprintf(stderr, "erg: asked to end: %s\n", app_.rescue().c_str());
   return true;
 }
 
 void Desktop::draw(int width, int height, float seconds) {
-  studio_.tick();
-  shown_snapshot_ = studio_.now().number;
-  shown_log_ = studio_.log().version();
-  studio_.settings().window_width = width;
-  studio_.settings().window_height = height;
+  app_.tick();
+  shown_snapshot_ = app_.now().number;
+  shown_log_ = app_.log().version();
+  app_.settings().window_width = width;
+  app_.settings().window_height = height;
   shell_.apply_settings();
   gui_.frame({static_cast<float>(width), static_cast<float>(height)}, seconds, [this] { shell_.draw(); });
   const ImVec4& ground = gui_.theme().ground;
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   gl11().ClearColor(ground.x, ground.y, ground.z, 1);
   gl11().Clear(GL_COLOR_BUFFER_BIT);
-  LandWindow& land = shell_.land();
-  Look look = shell_.scenery().look;
+  TerrainWindow& terrain = shell_.terrain();
+  Look look = shell_.view_state().look;
   look.legend = false;
-  land.set_notes(
-      land_.draw(studio_.now(), look, shell_.scenery().camera.camera(), land.parts(), height, land.restless()));
+  terrain.set_notes(terrain_.draw(app_.now(), look, shell_.view_state().camera.camera(), terrain.parts(), height,
+                                  terrain.restless()));
   renderer_.draw(gui_, 0);
   frames_.count();
   frame_rate_ = frames_.rate();
   map_.write(gui_.widgets());
-  const std::string title = studio_.title() + (studio_.unsaved() ? " * - Erg" : " - Erg");
+  const std::string title = app_.title() + (app_.unsaved() ? " * - Erg" : " - Erg");
   if (title != title_) window_.set_title(title);
   title_ = title;
 }
@@ -206,10 +206,10 @@ void Desktop::run() {
                  .busy = [this] { return busy(); },
                  .close_wanted = [this] { shell_.quit(); },
                  .must_close = [this] { return must_close(); },
-                 .display_lost = [this] { return "the display is gone: " + studio_.rescue(); }});
+                 .display_lost = [this] { return "the display is gone: " + app_.rescue(); }});
   } catch (const std::exception& error) {
     // The window cannot go on, but what runs in it is whole.
-    throw std::runtime_error(std::string(error.what()) + "; " + studio_.rescue());
+    throw std::runtime_error(std::string(error.what()) + "; " + app_.rescue());
   }
 }
 

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <functional>
 
-#include "session/studio.h"
+#include "session/app_model.h"
 
 namespace erg::ui {
 
 /// How the window begins.
 struct DesktopRequest {
-  session::StudioFolders folders;
+  session::AppFolders folders;
   /// Config or checkpoint to open; none: the gallery.
   std::filesystem::path open;
   /// Letters and controls this many times their usual size; 0: as the settings say.

@@ -19,11 +19,11 @@ class PicturePanel final : public Panel {
   const char* title() const override { return picture_title; }
   Dock dock() const override { return Dock::dialog; }
   ImVec2 size() const override { return {460, 300}; }
-  void draw(Desk& desk) override;
+  void draw(PanelContext& context) override;
 
  private:
   void draw_sizes();
-  void write(Desk& desk);
+  void write(PanelContext& context);
 
   std::function<void(const PictureOrder&)> save_;
   std::int64_t width_ = 1920;
@@ -37,27 +37,27 @@ class PicturePanel final : public Panel {
   FilePopup browser_{{.title = "SAVE PICTURE", .action = "SAVE", .endings = {".png"}, .saving = true}};
 };
 
-void PicturePanel::draw(Desk& desk) {
+void PicturePanel::draw(PanelContext& context) {
   draw_sizes();
   switch_row({.label = "smooth edges", .tooltip = "Draws four pixels for each one and averages them"}, smooth_);
-  switch_row({.label = "transparent", .tooltip = "Nothing behind the land, and no legend"}, transparent_);
+  switch_row({.label = "transparent", .tooltip = "Nothing behind the terrain, and no legend"}, transparent_);
   ImGui::Dummy({0, Gui::current().px(6)});
-  const std::string reason = desk.studio.now().has_runs() ? "" : "There is no land yet.";
+  const std::string reason = context.app.now().has_runs() ? "" : "There is no terrain yet.";
   if (button("Save picture\u2026", {.tooltip = "Choose the file",
                                     .unavailable = reason,
                                     .name = "save picture",
                                     .look = ButtonLook::accent,
                                     .size = {Gui::current().px(150), 0}})) {
-    browser_.ask(desk.studio.settings(),
-                 desk.studio.suggested_name("-" + std::to_string(desk.studio.now().step()) + ".png"));
+    browser_.ask(context.app.settings(),
+                 context.app.suggested_name("-" + std::to_string(context.app.now().step()) + ".png"));
   }
-  if (const auto chosen = browser_.draw(desk.studio)) {
+  if (const auto chosen = browser_.draw(context.app)) {
     file_ = chosen->string();
     frames_until_drawn_ = 3;
     result_ = "Drawing \u2026";
     failed_ = false;
   }
-  if (frames_until_drawn_ > 0 && --frames_until_drawn_ == 0) write(desk);
+  if (frames_until_drawn_ > 0 && --frames_until_drawn_ == 0) write(context);
   if (!result_.empty()) say(result_, failed_ ? Gui::current().theme().lost : Gui::current().theme().text);
   if (!result_.empty() && !failed_ && frames_until_drawn_ == 0) mark("saved");
 }
@@ -86,20 +86,20 @@ void PicturePanel::draw_sizes() {
   integer_row({.label = "height", .unit = "pixels", .tooltip = range}, height_, 1, longest_side);
 }
 
-void PicturePanel::write(Desk& desk) {
+void PicturePanel::write(PanelContext& context) {
   try {
     const render::PictureSize size{static_cast<int>(width_), static_cast<int>(height_), smooth_ ? 2 : 1};
     save_({file_, size, transparent_});
     result_ = "Saved " + file_;
-    desk.studio.log().information("saved " + file_);
+    context.app.log().information("saved " + file_);
   } catch (const InputError& error) {
     failed_ = true;
     result_ = error.mistakes().front().text();
-    desk.studio.log().mistakes(error);
+    context.app.log().mistakes(error);
   } catch (const std::bad_alloc& error) {
     failed_ = true;
     result_ = file_ + ": " + sim::problem_of(error);
-    desk.studio.log().error(result_);
+    context.app.log().error(result_);
   }
 }
 

@@ -1,4 +1,4 @@
-// PICTURE: the land as a PNG of any size.
+// PICTURE: the terrain as a PNG of any size.
 #pragma once
 
 #include <functional>

@@ -27,59 +27,59 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-std::string path_of_bookmarks(const session::StudioFolders& folders) {
+std::string path_of_bookmarks(const session::AppFolders& folders) {
   return folders.settings.empty() ? std::string() : (folders.settings / "views").string();
 }
 
 }  // namespace
 
-Shell::Shell(session::Studio& studio, Stage& stage, Gui& gui)
-    : studio_(studio),
-      stage_(stage),
+Shell::Shell(session::AppModel& app, Host& host, Gui& gui)
+    : app_(app),
+      host_(host),
       gui_(gui),
-      bookmarks_(path_of_bookmarks(studio.folders())),
-      land_(scenery_, [&stage](std::size_t run) { return stage.ground(run); }),
-      desk_{.studio = studio,
-            .land = {},
-            .tool = LandTool::camera,
-            .marks = {},
-            .open = [this](const std::string& title) { open(title); },
-            .close = [this](const std::string& title) { close(title); },
-            .leave = [this](const std::string& what, Leaves leaves,
-                            std::function<void()> act) { leave(what, leaves, std::move(act)); },
-            .picture = [&stage](const std::filesystem::path& path) { return stage.picture(path); },
-            .keys = {},
-            .keys_taken = false} {
+      bookmarks_(path_of_bookmarks(app.folders())),
+      terrain_(view_state_, [&host](std::size_t run) { return host.ground(run); }),
+      context_{.app = app,
+               .pointer = {},
+               .tool = TerrainTool::camera,
+               .marks = {},
+               .open = [this](const std::string& title) { open(title); },
+               .close = [this](const std::string& title) { close(title); },
+               .leave = [this](const std::string& what, Leaves leaves,
+                               std::function<void()> act) { leave(what, leaves, std::move(act)); },
+               .picture = [&host](const std::filesystem::path& path) { return host.picture(path); },
+               .keys = {},
+               .keys_taken = false} {
   panels_ = make_panels();
-  panels_.push_back(make_look_panel(scenery_, bookmarks_));
+  panels_.push_back(make_look_panel(view_state_, bookmarks_));
   // LOOK stands first in its column.
   const auto first =
       std::find_if(panels_.begin(), panels_.end(), [](const auto& p) { return p->dock() == Dock::right; });
   std::rotate(first, panels_.end() - 1, panels_.end());
-  panels_.push_back(make_picture_panel([&stage](const PictureOrder& order) { stage.save_picture(order); }));
+  panels_.push_back(make_picture_panel([&host](const PictureOrder& order) { host.save_picture(order); }));
   panels_.push_back(make_unsaved_panel(parting_));
   make_actions();
-  desk_.keys = key_help(actions_);
+  context_.keys = key_help(actions_);
   apply_settings();
 }
 
 Shell::~Shell() = default;
 
 void Shell::apply_settings() {
-  const session::Settings& settings = studio_.settings();
+  const session::Settings& settings = app_.settings();
   if ((gui_.theme().kind == ThemeKind::dark) != settings.dark) {
     gui_.set_theme(settings.dark ? ThemeKind::dark : ThemeKind::light);
   }
-  gui_.set_scale(static_cast<float>(settings.scale > 0 ? settings.scale : stage_.suggested_scale()));
+  gui_.set_scale(static_cast<float>(settings.scale > 0 ? settings.scale : host_.suggested_scale()));
 }
 
 float Shell::layout(const std::string& name, float standard) const {
-  const auto& kept = studio_.settings().layout;
+  const auto& kept = app_.settings().layout;
   const auto found = kept.find(name);
   return found == kept.end() ? standard : static_cast<float>(found->second);
 }
 
-void Shell::set_layout(const std::string& name, float value) { studio_.settings().layout[name] = value; }
+void Shell::set_layout(const std::string& name, float value) { app_.settings().layout[name] = value; }
 
 void Shell::open(const std::string& title) {
   for (const auto& panel : panels_) {
@@ -97,13 +97,13 @@ void Shell::open(const std::string& title) {
 void Shell::close(const std::string& title) { std::erase(open_dialogs_, title); }
 
 void Shell::leave(const std::string& what, Leaves leaves, std::function<void()> act) {
-  if (!studio_.unsaved_work(leaves)) return act();
+  if (!app_.unsaved_work(leaves)) return act();
   parting_ = Parting{what, leaves, std::move(act)};
   open(unsaved_title);
 }
 
 void Shell::quit() {
-  leave("QUIT", Leaves::everything, [this] { stage_.close(); });
+  leave("QUIT", Leaves::everything, [this] { host_.close(); });
 }
 
 bool Shell::is_open(const std::string& title) const {
@@ -111,27 +111,28 @@ bool Shell::is_open(const std::string& title) const {
 }
 
 std::string Shell::why_nothing_to_save() const {
-  return studio_.now().has_runs() ? std::string() : "There is no land yet.";
+  return app_.now().has_runs() ? std::string() : "There is no terrain yet.";
 }
 
 void Shell::draw() {
-  if (studio_.take_failed_creation()) open(panel_title::log);
+  if (app_.take_failed_creation()) open(panel_title::log);
   close_menu_on_escape();
-  // While a dialog, a menu or a question is open, keys are for it: none of them reaches the land behind.
-  desk_.keys_taken = dialog_has_keys_ || popup_was_open_ || is_open(unsaved_title);
-  if (!desk_.keys_taken) press_keys(actions_);
+  // While a dialog, a menu or a question is open, keys are for it: none of them reaches the terrain behind.
+  context_.keys_taken = dialog_has_keys_ || popup_was_open_ || is_open(unsaved_title);
+  if (!context_.keys_taken) press_keys(actions_);
   draw_menu_bar();
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();
   const float line = ImGui::GetFrameHeightWithSpacing();
   const float foot = line + ImGui::GetTextLineHeightWithSpacing() + gui_.px(14);
   const float high = whole.y - top - foot;
-  // Columns never leave less than a third of the window to the land.
+  // Columns never leave less than a third of the window to the terrain.
   const float most = whole.x / 3;
   const float left = columns_shown_ ? std::min(gui_.px(layout("left width", left_width)), most) : 0;
   const float right = columns_shown_ ? std::min(gui_.px(layout("right width", right_width)), most) : 0;
-  land_.take_input(desk_, {static_cast<int>(left), static_cast<int>(top),
-                           std::max(static_cast<int>(whole.x - left - right), 1), std::max(static_cast<int>(high), 1)});
+  terrain_.take_input(
+      context_, {static_cast<int>(left), static_cast<int>(top), std::max(static_cast<int>(whole.x - left - right), 1),
+                 std::max(static_cast<int>(high), 1)});
   if (columns_shown_) {
     draw_column(Dock::left, "left", 0, top, left, high);
     draw_column_edge("left", left - gui_.px(edge_width), top, high, 1);
@@ -140,10 +141,10 @@ void Shell::draw() {
   }
   draw_foot(top + high, foot);
   draw_dialogs();
-  land_.draw_over(desk_);
+  terrain_.draw_over(context_);
   if (const std::string missing = gui_.take_missing_letters(); !missing.empty()) {
-    studio_.log().warning("no font on this machine has the letters " + missing +
-                          ": install one that does, such as fonts-noto-core or fonts-noto-cjk");
+    app_.log().warning("no font on this machine has the letters " + missing +
+                       ": install one that does, such as fonts-noto-core or fonts-noto-cjk");
   }
 }
 
@@ -161,8 +162,8 @@ void Shell::draw_menu_bar() {
   if (!ImGui::BeginMainMenuBar()) return;
   ImGui::TextColored(gui_.theme().accent, "Erg");
   draw_menus(actions_);
-  std::string title = studio_.title();
-  if (studio_.unsaved()) title += "   \u2022 unsaved";
+  std::string title = app_.title();
+  if (app_.unsaved()) title += "   \u2022 unsaved";
   gui_.need(title);
   const float wide = ImGui::CalcTextSize(title.c_str()).x + gui_.px(16);
   const float room = ImGui::GetWindowWidth() - wide;
@@ -180,7 +181,7 @@ void Shell::draw_column(Dock dock, const char* name, float left, float top, floa
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin((std::string("##") + name).c_str(), nullptr, fixed | ImGuiWindowFlags_AlwaysVerticalScrollbar);
   for (const auto& panel : panels_) {
-    if (panel->dock() == dock && panel->wanted(desk_)) draw_panel_of_column(*panel);
+    if (panel->dock() == dock && panel->wanted(context_)) draw_panel_of_column(*panel);
   }
   ImGui::End();
   ImGui::PopStyleVar();
@@ -199,7 +200,7 @@ void Shell::draw_panel_of_column(Panel& panel) {
   mark("fold");
   if (open != was_open) set_layout(fold, open ? 1 : 0);
   if (!open) return;
-  panel.draw(desk_);
+  panel.draw(context_);
   ImGui::Dummy({0, gui_.px(6)});
 }
 
@@ -235,8 +236,8 @@ void Shell::draw_foot(float top, float height) {
   ImGui::SetNextWindowSize({ImGui::GetIO().DisplaySize.x, height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin("##foot", nullptr, fixed | ImGuiWindowFlags_NoScrollbar);
-  run_bar_.draw(studio_);
-  if (draw_status(studio_, stage_.frames_per_second(), land_.notes())) open(panel_title::log);
+  run_bar_.draw(app_);
+  if (draw_status(app_, host_.frames_per_second(), terrain_.notes())) open(panel_title::log);
   ImGui::End();
   ImGui::PopStyleVar();
 }
@@ -260,7 +261,7 @@ void Shell::draw_dialogs() {
         ImGui::Begin(panel->title(), &stays, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
     {
       const WidgetScope scope(panel->title());
-      if (shown) panel->draw(desk_);
+      if (shown) panel->draw(context_);
     }
     const bool has_keys = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
     dialog_has_keys_ = dialog_has_keys_ || has_keys;

@@ -1,5 +1,5 @@
-// The whole interface: menus, columns of panels, the land between them, run bar, status line, dialogs. Draws with ImGui
-// alone; what needs OpenGL or the screen it asks of a Stage.
+// The whole interface: menus, columns of panels, the terrain between them, run bar, status line, dialogs. Draws with
+// ImGui alone; what needs OpenGL or the screen it asks of a Host.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "render/renderer.h"
-#include "ui/land/land_window.h"
-#include "ui/land/scenery.h"
+#include "ui/land/terrain_window.h"
+#include "ui/land/view_state.h"
 #include "ui/panels/panel.h"
 #include "ui/panels/run_bar.h"
 #include "ui/panels/unsaved_panel.h"
@@ -26,11 +26,11 @@ struct PictureOrder {
 };
 
 /// What the interface stands on.
-class Stage {
+class Host {
  public:
-  virtual ~Stage() = default;
+  virtual ~Host() = default;
   /// The ground of a run as it is on the screen; null before it was drawn.
-  virtual const LandGround* ground(std::size_t run) = 0;
+  virtual const TerrainGround* ground(std::size_t run) = 0;
   /// A picture for ImGui::Image, loaded once; null when it cannot be read.
   virtual ImTextureID picture(const std::filesystem::path& path) = 0;
   /// Draws the active run and writes it. Throws InputError.
@@ -47,7 +47,7 @@ class Stage {
 class Shell {
  public:
   /// All three must outlive it.
-  Shell(session::Studio& studio, Stage& stage, Gui& gui);
+  Shell(session::AppModel& app, Host& host, Gui& gui);
   ~Shell();
   Shell(const Shell&) = delete;
   Shell& operator=(const Shell&) = delete;
@@ -58,14 +58,14 @@ class Shell {
   /// Takes over theme and scale from the settings. Between frames.
   void apply_settings();
 
-  Scenery& scenery() { return scenery_; }
-  const Scenery& scenery() const { return scenery_; }
-  LandWindow& land() { return land_; }
+  ViewState& view_state() { return view_state_; }
+  const ViewState& view_state() const { return view_state_; }
+  TerrainWindow& terrain() { return terrain_; }
   /// Opens, closes a dialog, or folds out a panel.
   void open(const std::string& title);
   void close(const std::string& title);
   bool is_open(const std::string& title) const;
-  /// Desk::leave.
+  /// PanelContext::leave.
   void leave(const std::string& what, session::Leaves leaves, std::function<void()> act);
   /// Closes the window, after the question about work that would be lost.
   void quit();
@@ -86,14 +86,14 @@ class Shell {
   void set_layout(const std::string& name, float value);
   std::string why_nothing_to_save() const;
 
-  session::Studio& studio_;
-  Stage& stage_;
+  session::AppModel& app_;
+  Host& host_;
   Gui& gui_;
-  Scenery scenery_;
+  ViewState view_state_;
   Bookmarks bookmarks_;
-  LandWindow land_;
+  TerrainWindow terrain_;
   RunBar run_bar_;
-  Desk desk_;
+  PanelContext context_;
   std::vector<std::unique_ptr<Panel>> panels_;
   std::vector<std::string> open_dialogs_;
   std::string to_front_;

@@ -30,9 +30,9 @@ void Shell::make_file_actions() {
   const auto shows = [this](const char* title) { return [this, title] { open(title); }; };
   const auto nothing = [this] { return why_nothing_to_save(); };
   const auto save = [this] {
-    if (!studio_.has_own_file()) {
+    if (!app_.has_own_file()) {
       open(panel_title::save);
-    } else if (!studio_.save_config(studio_.file())) {
+    } else if (!app_.save_config(app_.file())) {
       open(panel_title::log);
     }
   };
@@ -56,20 +56,20 @@ void Shell::make_file_actions() {
        .label = "Undo",
        .key = 'Z',
        .ctrl = true,
-       .act = [this] { studio_.runner().undo(); },
-       .unavailable = [this] { return studio_.now().undo_count > 0 ? "" : "No stroke or reset to take back."; }});
+       .act = [this] { app_.runner().undo(); },
+       .unavailable = [this] { return app_.now().undo_count > 0 ? "" : "No stroke or reset to take back."; }});
   actions_.push_back({.menu = "Edit",
                       .label = "Redo",
                       .key = 'Y',
                       .ctrl = true,
-                      .act = [this] { studio_.runner().redo(); },
-                      .unavailable = [this] { return studio_.now().redo_count > 0 ? "" : "Nothing was taken back."; }});
+                      .act = [this] { app_.runner().redo(); },
+                      .unavailable = [this] { return app_.now().redo_count > 0 ? "" : "Nothing was taken back."; }});
 }
 
 void Shell::make_view_actions() {
   const auto nothing = [this] { return why_nothing_to_save(); };
   for (const OfferedView& view : offered_views) {
-    const auto take_up = [this, preset = view.preset] { scenery_.wanted_view = preset; };
+    const auto take_up = [this, preset = view.preset] { view_state_.wanted_view = preset; };
     actions_.push_back({.menu = "View", .label = view.label, .key = view.key, .act = take_up, .unavailable = nothing});
   }
   actions_.push_back({.menu = "View",
@@ -84,46 +84,46 @@ void Shell::make_view_actions() {
                       .checked = [this] { return columns_shown_; }});
   actions_.push_back({.menu = "View",
                       .label = "Dark",
-                      .act = [this] { studio_.settings().dark = !studio_.settings().dark; },
-                      .checked = [this] { return studio_.settings().dark; }});
+                      .act = [this] { app_.settings().dark = !app_.settings().dark; },
+                      .checked = [this] { return app_.settings().dark; }});
   const auto scale_by = [this](double change) {
     return [this, change] {
       const double scale = std::clamp(gui_.scale() + change, Settings::smallest_scale, Settings::largest_scale);
-      studio_.settings().scale = scale;
+      app_.settings().scale = scale;
     };
   };
-  actions_.push_back({.menu = "View", .label = "Larger letters", .key = '+', .act = scale_by(0.25)});
-  actions_.push_back({.menu = "View", .label = "Smaller letters", .key = '-', .act = scale_by(-0.25)});
+  actions_.push_back({.menu = "View", .label = "Larger text", .key = '+', .act = scale_by(0.25)});
+  actions_.push_back({.menu = "View", .label = "Smaller text", .key = '-', .act = scale_by(-0.25)});
   actions_.push_back(
-      {.menu = "View", .label = "Letters to suit the screen", .act = [this] { studio_.settings().scale = 0; }});
+      {.menu = "View", .label = "Letters to suit the screen", .act = [this] { app_.settings().scale = 0; }});
 }
 
 void Shell::make_run_actions() {
-  const auto stuck = [this] { return why_no_step(studio_.now()); };
+  const auto stuck = [this] { return why_no_step(app_.now()); };
   actions_.push_back({.menu = "Run",
                       .label = "Play or pause",
                       .key = keys::space,
-                      .act = [this] { play_or_pause(studio_.runner(), studio_.now()); },
+                      .act = [this] { play_or_pause(app_.runner(), app_.now()); },
                       .unavailable = stuck});
   actions_.push_back({.menu = "Run",
                       .label = "One step",
                       .key = '.',
-                      .act = [this] { studio_.runner().step(); },
+                      .act = [this] { app_.runner().step(); },
                       .unavailable =
                           [this, stuck] {
-                            return studio_.now().activity == session::Activity::running ? "It is running: pause first."
-                                                                                        : stuck();
+                            return app_.now().activity == session::Activity::running ? "It is running: pause first."
+                                                                                     : stuck();
                           }});
   actions_.push_back({.menu = "Run",
                       .label = "Reset",
                       .key = 'R',
-                      .act = [this] { studio_.runner().reset(); },
+                      .act = [this] { app_.runner().reset(); },
                       .unavailable = [this] { return why_nothing_to_save(); }});
   actions_.push_back({.menu = "Run",
                       .label = "Create",
                       .key = 'N',
                       .ctrl = true,
-                      .act = [this] { leave("CREATE", session::Leaves::land, [this] { studio_.create(); }); },
+                      .act = [this] { leave("CREATE", session::Leaves::terrain, [this] { app_.create(); }); },
                       .line_above = true});
 }
 

@@ -79,7 +79,7 @@ Connection look_for_display() {
   if (name == nullptr || *name == '\0') throw InputError("DISPLAY", "is not set: there is no screen", remedy_display);
   Connection display(XOpenDisplay(nullptr), XCloseDisplay);
   if (display == nullptr) {
-    throw InputError("DISPLAY", "nothing answers at " + in_quotes(name), remedy_display);
+    throw InputError("DISPLAY", "nothing answers at " + quote(name), remedy_display);
   }
   return display;
 }

@@ -1,11 +1,11 @@
-#include "render/land_sheet.h"
+#include "render/terrain_sheet.h"
 
 #include <algorithm>
 
 namespace erg::render {
 
-void LandSheet::update(SurfaceWorkshop& workshop, const SheetPlace& place, const MapsRequest& request, bool read,
-                       std::vector<std::string>& notes) {
+void TerrainSheet::update(SurfaceWorkshop& workshop, const SheetPlace& place, const MapsRequest& request, bool read,
+                          std::vector<std::string>& notes) {
   const Terrain& terrain = *request.view.terrain;
   const bool torus = terrain.boundary() == Boundary::torus;
   const bool periodic = place.whole && torus;
@@ -15,7 +15,7 @@ void LandSheet::update(SurfaceWorkshop& workshop, const SheetPlace& place, const
   std::vector<TexelRect> changed;
   if (read) {
     std::vector<float> values;
-    read_land(terrain, place.window, values);
+    read_terrain(terrain, place.window, values);
     changed = cells_.update(place.window.blocks, periodic, values);
     has_field_ = request.field != nullptr;
     if (has_field_) update_values(field_, *request.field, torus, "field", notes);
@@ -29,11 +29,11 @@ void LandSheet::update(SurfaceWorkshop& workshop, const SheetPlace& place, const
                              .quantum = terrain.quantum() / place.window.block,
                              .raw = raw_,
                              .block = place.window.block};
-  maps_.update(workshop, source, request.light, request.effort, changed);
+  maps_.update(workshop, source, request.light, request.quality, changed);
 }
 
-void LandSheet::update_values(TiledTexture& texture, const Field& field, bool periodic, const char* role,
-                              std::vector<std::string>& notes) {
+void TerrainSheet::update_values(TiledTexture& texture, const Field& field, bool periodic, const char* role,
+                                 std::vector<std::string>& notes) {
   std::vector<float> values;
   const Extent extent = field.values.extent();
   const BlockWindow& window = place_.window;
@@ -52,7 +52,7 @@ void LandSheet::update_values(TiledTexture& texture, const Field& field, bool pe
   texture.update(window.blocks, place_.whole && periodic, values);
 }
 
-void LandSheet::list_planted() {
+void TerrainSheet::list_planted() {
   std::vector<float> places;
   const Extent own = blocks();
   const int apron_x = (place_.left - place_.window.left) / place_.window.block;
@@ -70,17 +70,17 @@ void LandSheet::list_planted() {
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(places.size() * sizeof(float)), places.data(), GL_STATIC_DRAW);
 }
 
-Extent LandSheet::blocks() const {
+Extent TerrainSheet::blocks() const {
   const int block = place_.window.block;
   return {(place_.cells.nx + block - 1) / block, (place_.cells.ny + block - 1) / block};
 }
 
-std::array<double, 2> LandSheet::corner() const {
+std::array<double, 2> TerrainSheet::corner() const {
   const double side = cell_side_ / place_.window.block;
   return {place_.left * side, place_.low * side};
 }
 
-void LandSheet::bind(const ShaderProgram& program) const {
+void TerrainSheet::bind(const ShaderProgram& program) const {
   program.set_texture("shape", 4, maps_.shape());
   program.set_texture("plants", 3, has_plants_ ? plants_.id() : 0);
   program.set_texture("field", 2, has_field_ ? field_.id() : 0);
@@ -97,12 +97,12 @@ void LandSheet::bind(const ShaderProgram& program) const {
   program.set("cell_side", cell_side_);
 }
 
-double LandSheet::height_of(int column, int row) const {
+double TerrainSheet::height_of(int column, int row) const {
   const BlockWindow& window = place_.window;
   return cells_.value((column - window.left) / window.block, (row - window.low) / window.block);
 }
 
-std::int64_t LandSheet::uploaded_texels() const {
+std::int64_t TerrainSheet::uploaded_texels() const {
   return cells_.uploaded_texels() + field_.uploaded_texels() + plants_.uploaded_texels();
 }
 

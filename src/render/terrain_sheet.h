@@ -1,5 +1,6 @@
-// A sheet of the land on the graphics card: its cells, the smooth surface made of them, and the light that falls on it.
-// A land that fits a texture is one sheet; a larger one is cut into several, each with an apron of what lies around it.
+// A sheet of the terrain on the graphics card: its cells, the smooth surface made of them, and the light that falls on
+// it. A terrain that fits a texture is one sheet; a larger one is cut into several, each with an apron of what lies
+// around it.
 #pragma once
 
 #include <vector>
@@ -26,11 +27,11 @@ struct MapsRequest {
   const Field* plants = nullptr;  ///< share of the ground that they cover
   bool raw_cells = false;
   LightSource light;
-  const RenderEffort& effort;
+  const RenderQuality& quality;
 };
 
 /// Holds textures of the OpenGL context that is current.
-class LandSheet {
+class TerrainSheet {
  public:
   /// Brings the maps up to date. `read`: cells and fields may have changed. Notes that a person should see are added.
   void update(SurfaceWorkshop& workshop, const SheetPlace& place, const MapsRequest& request, bool read,

@@ -1,4 +1,4 @@
-// What the land is looked at with: look, camera, bookmarks. One for all runs that are compared.
+// What the terrain is looked at with: look, camera, bookmarks. One for all runs that are compared.
 #pragma once
 
 #include <filesystem>
@@ -7,28 +7,28 @@
 
 #include "picture/camera.h"
 #include "render/look.h"
-#include "ui/land/land_camera.h"
+#include "ui/land/terrain_camera.h"
 
 namespace erg::ui {
 
 /// The part of the window's state that only the eye cares about.
-struct Scenery {
+struct ViewState {
   render::Look look;
-  LandCamera camera;
-  bool legend = true;  ///< legend, wind arrow and north over the land
-  /// A preset to take up as soon as the land's extent is known; "" when the camera is where it should be.
+  TerrainCamera camera;
+  bool legend = true;  ///< legend, wind arrow and north over the terrain
+  /// A preset to take up as soon as the terrain's extent is known; "" when the camera is where it should be.
   std::string wanted_view = "block";
 };
 
 /// A view that menu, keys and LOOK offer.
 struct OfferedView {
   const char* label;
-  const char* preset;  ///< as LandCamera::choose takes it
+  const char* preset;  ///< as TerrainCamera::choose takes it
   char key;
   const char* what;
 };
 inline constexpr OfferedView offered_views[] = {{"Top", "top", '1', "Straight from above, north up"},
-                                                {"Oblique", "oblique", '2', "Over the land towards the horizon"},
+                                                {"Oblique", "oblique", '2', "Over the terrain towards the horizon"},
                                                 {"Block", "block", '3', "The whole of it, from the south"},
                                                 {"Side", "side", '4', "From the south, low"},
                                                 {"Frame", "frame", 'F', "All of it, from where you look now"}};

@@ -1,5 +1,5 @@
-// The land's pictures: one for each run, drawn into memory of the graphics card when something changed, and copied into
-// the window each frame.
+// The terrain's pictures: one for each run, drawn into memory of the graphics card when something changed, and copied
+// into the window each frame.
 #pragma once
 
 #include <chrono>
@@ -11,8 +11,8 @@
 #include "io/config/provenance.h"
 #include "render/renderer.h"
 #include "session/snapshot.h"
-#include "ui/land/land_camera.h"
 #include "ui/land/still_painter.h"
+#include "ui/land/terrain_camera.h"
 
 namespace erg::ui {
 
@@ -30,14 +30,14 @@ struct WindowPart {
 };
 
 /// Lives with one OpenGL context, which must be current whenever it is used and when it goes.
-class LandView {
+class TerrainPanes {
  public:
   /// `software`: the processor draws. `stills`, which must outlive it, then draws the pictures at rest; null: this
   /// thread does.
-  explicit LandView(bool software, StillPainter* stills = nullptr);
-  ~LandView();
-  LandView(const LandView&) = delete;
-  LandView& operator=(const LandView&) = delete;
+  explicit TerrainPanes(bool software, StillPainter* stills = nullptr);
+  ~TerrainPanes();
+  TerrainPanes(const TerrainPanes&) = delete;
+  TerrainPanes& operator=(const TerrainPanes&) = delete;
 
   /// Draws the runs of a snapshot, each into its part of the window's frame buffer, whose height is given. `restless`:
   /// the camera is being moved. Returns what a person should know.
@@ -49,7 +49,7 @@ class LandView {
   bool unfinished() const;
 
   /// The ground of a run as it was drawn last; null before.
-  const LandGround* ground(std::size_t run) const;
+  const TerrainGround* ground(std::size_t run) const;
 
   /// Draws a run with all there is.
   render::Picture picture(const session::RunSnapshot& run, const render::Look& look, const picture::Camera& camera,

@@ -1,4 +1,4 @@
-// A stage without OpenGL for the shell: the ground is a flat plane, and what was asked for is written down.
+// A host without OpenGL for the shell: the ground is a flat plane, and what was asked for is written down.
 #pragma once
 
 #include <new>
@@ -8,11 +8,11 @@
 
 namespace erg::test {
 
-/// Ground at height 0 under the land of a run.
-class FlatGround final : public ui::LandGround {
+/// Ground at height 0 under the terrain of a run.
+class FlatGround final : public ui::TerrainGround {
  public:
-  explicit FlatGround(render::LandBox box) : box_(box) {}
-  render::LandBox box() const override { return box_; }
+  explicit FlatGround(render::TerrainBox box) : box_(box) {}
+  render::TerrainBox box() const override { return box_; }
   std::optional<Eigen::Vector3d> under(const picture::Camera& camera, render::PicturePoint point,
                                        double aspect) const override {
     const render::Sight line = render::sight(camera, point, aspect);
@@ -24,17 +24,17 @@ class FlatGround final : public ui::LandGround {
   double height(double, double) const override { return 0; }
 
  private:
-  render::LandBox box_;
+  render::TerrainBox box_;
 };
 
-class FlatStage final : public ui::Stage {
+class FlatHost final : public ui::Host {
  public:
   FlatGround flat{{32, 24, 0, 4}};
   std::vector<ui::PictureOrder> orders;
   bool closed = false;
   bool has_memory = true;
 
-  const ui::LandGround* ground(std::size_t) override { return &flat; }
+  const ui::TerrainGround* ground(std::size_t) override { return &flat; }
   ImTextureID picture(const std::filesystem::path&) override { return nullptr; }
   void save_picture(const ui::PictureOrder& order) override {
     if (!has_memory) throw std::bad_alloc();

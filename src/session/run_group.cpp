@@ -1,4 +1,4 @@
-#include "session/lockstep.h"
+#include "session/run_group.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +25,7 @@ constexpr int copies = 4;
 constexpr std::size_t most_undo_bytes = std::size_t{1} << 29;
 constexpr std::size_t most_edits = 200;
 
-std::size_t bytes_of(const Lockstep::Moment& moment) {
+std::size_t bytes_of(const RunGroup::Moment& moment) {
   std::size_t bytes = 0;
   for (const auto& state : moment) {
     const Terrain& terrain = state->terrain;
@@ -44,21 +44,21 @@ void check_together(const Things& things, const Wind& wind_of) {
   }
 }
 
-Lockstep::Moment moment_of(const std::vector<std::unique_ptr<Simulation>>& runs) {
-  Lockstep::Moment now;
+RunGroup::Moment moment_of(const std::vector<std::unique_ptr<Simulation>>& runs) {
+  RunGroup::Moment now;
   for (const auto& run : runs) now.push_back(std::make_shared<const sim::RunState>(run->state()));
   return now;
 }
 
 }  // namespace
 
-bool Lockstep::finished() const {
+bool RunGroup::finished() const {
   return !empty() && std::ranges::all_of(runs_, [](const auto& run) { return run->finished(); });
 }
 
-std::string Lockstep::why_finished() const { return empty() ? "" : runs_.front()->totals().why_finished; }
+std::string RunGroup::why_finished() const { return empty() ? "" : runs_.front()->totals().why_finished; }
 
-void Lockstep::take(std::vector<std::unique_ptr<Simulation>> runs) {
+void RunGroup::take(std::vector<std::unique_ptr<Simulation>> runs) {
   Moment beginning = moment_of(runs);  // may not find the memory: then nothing has changed yet
   runs_ = std::move(runs);
   beginning_ = std::move(beginning);
@@ -68,7 +68,7 @@ void Lockstep::take(std::vector<std::unique_ptr<Simulation>> runs) {
   blown_ = blown_before_;
 }
 
-void Lockstep::create(const std::vector<Config>& configs, std::vector<std::string>* notes) {
+void RunGroup::create(const std::vector<Config>& configs, std::vector<std::string>* notes) {
   check_together(configs, [](const Config& config) { return config.wind; });
   check_memory(configs, copies, free_memory());
   std::vector<std::unique_ptr<Simulation>> runs;
@@ -78,7 +78,7 @@ void Lockstep::create(const std::vector<Config>& configs, std::vector<std::strin
   forget_edits();
 }
 
-void Lockstep::resume(std::vector<Saved> saved) {
+void RunGroup::resume(std::vector<Saved> saved) {
   check_together(saved, [](const Saved& one) { return one.config.wind; });
   std::vector<std::unique_ptr<Simulation>> runs;
   for (Saved& one : saved) {
@@ -96,7 +96,7 @@ void Lockstep::resume(std::vector<Saved> saved) {
   forget_edits();
 }
 
-void Lockstep::reset() {
+void RunGroup::reset() {
   if (empty()) return;
   remember(0, 0);
   redo_.clear();
@@ -104,9 +104,9 @@ void Lockstep::reset() {
   worked_ = {};
 }
 
-Lockstep::Moment Lockstep::moment() const { return moment_of(runs_); }
+RunGroup::Moment RunGroup::moment() const { return moment_of(runs_); }
 
-void Lockstep::go_to(const Moment& moment, const WindRecord& blown) {
+void RunGroup::go_to(const Moment& moment, const WindRecord& blown) {
   std::vector<std::unique_ptr<Simulation>> runs;
   for (std::size_t i = 0; i < moment.size(); ++i) {
     runs.push_back(std::make_unique<Simulation>(runs_[i]->config(), *moment[i]));
@@ -115,7 +115,7 @@ void Lockstep::go_to(const Moment& moment, const WindRecord& blown) {
   blown_ = blown;
 }
 
-std::int64_t Lockstep::step() {
+std::int64_t RunGroup::step() {
   const auto begin = std::chrono::steady_clock::now();
   std::int64_t polls = 0;
   const std::int64_t before = step_count();
@@ -125,7 +125,7 @@ std::int64_t Lockstep::step() {
   return polls;
 }
 
-void Lockstep::change(const std::vector<Config>& configs) {
+void RunGroup::change(const std::vector<Config>& configs) {
   if (configs.size() != size()) throw InputError("", "other runs than there are", "create them anew");
   check_together(configs, [](const Config& config) { return config.wind; });
   for (std::size_t i = 0; i < size(); ++i) {
@@ -146,13 +146,13 @@ void Lockstep::change(const std::vector<Config>& configs) {
   }
 }
 
-void Lockstep::paint(std::size_t run, const Dab& dab, std::uint64_t stroke) {
+void RunGroup::paint(std::size_t run, const BrushStamp& stamp, std::uint64_t stroke) {
   if (run >= size()) throw InputError("brush", "there is no such run", "create a terrain first");
   const bool new_stroke = undo_.empty() || undo_.back().stroke != stroke || undo_.back().run != run;
   if (new_stroke) remember(stroke, run);
   bool changed = false;
   try {
-    changed = apply_dab(runs_[run]->edit_terrain(), dab);
+    changed = apply_stamp(runs_[run]->edit_terrain(), stamp);
   } catch (const InputError&) {
     if (new_stroke) undo_.pop_back();
     throw;
@@ -165,14 +165,14 @@ void Lockstep::paint(std::size_t run, const Dab& dab, std::uint64_t stroke) {
   }
 }
 
-std::uint64_t Lockstep::last_stroke(std::size_t run) const {
+std::uint64_t RunGroup::last_stroke(std::size_t run) const {
   for (auto edit = undo_.rbegin(); edit != undo_.rend() && edit->stroke != 0; ++edit) {
     if (edit->run == run) return edit->stroke;
   }
   return 0;
 }
 
-void Lockstep::remember(std::uint64_t stroke, std::size_t run) {
+void RunGroup::remember(std::uint64_t stroke, std::size_t run) {
   undo_.push_back({stroke, run, worked_, blown_, moment()});
   const auto too_much = [this] {
     std::size_t bytes = 0;
@@ -182,16 +182,16 @@ void Lockstep::remember(std::uint64_t stroke, std::size_t run) {
   while (undo_.size() > 1 && too_much()) undo_.pop_front();
 }
 
-void Lockstep::forget_edits() {
+void RunGroup::forget_edits() {
   undo_.clear();
   redo_.clear();
 }
 
-bool Lockstep::undo() { return swap_with(undo_, redo_); }
+bool RunGroup::undo() { return swap_with(undo_, redo_); }
 
-bool Lockstep::redo() { return swap_with(redo_, undo_); }
+bool RunGroup::redo() { return swap_with(redo_, undo_); }
 
-bool Lockstep::swap_with(std::deque<Edit>& from, std::deque<Edit>& to) {
+bool RunGroup::swap_with(std::deque<Edit>& from, std::deque<Edit>& to) {
   if (from.empty()) return false;
   Edit present{from.back().stroke, from.back().run, worked_, blown_, moment()};
   go_to(from.back().state, from.back().blown);

@@ -13,32 +13,32 @@
 
 #include "session/comparison.h"
 #include "session/exporter.h"
-#include "session/kept_work.h"
 #include "session/log.h"
 #include "session/probe.h"
 #include "session/runner.h"
 #include "session/session.h"
 #include "session/settings.h"
 #include "session/snapshot.h"
+#include "session/unsaved_work.h"
 
 namespace erg::session {
 
 /// Where things are kept. An empty folder: nothing is kept.
-struct StudioFolders {
+struct AppFolders {
   std::filesystem::path settings;  ///< what is remembered of the window (settings_folder)
   std::filesystem::path state;     ///< sessions (state_folder)
   std::filesystem::path presets;   ///< configs to start from; only read
 };
 
 /// The view model. Belongs to the window's thread.
-class Studio {
+class AppModel {
  public:
   /// `before_step` as for Runner.
-  explicit Studio(StudioFolders folders, std::function<void()> before_step = {});
+  explicit AppModel(AppFolders folders, std::function<void()> before_step = {});
   /// Saves settings and ends the session in order.
-  ~Studio();
-  Studio(const Studio&) = delete;
-  Studio& operator=(const Studio&) = delete;
+  ~AppModel();
+  AppModel(const AppModel&) = delete;
+  AppModel& operator=(const AppModel&) = delete;
 
   /// Once a frame: takes the newest snapshot, hands edits that may take effect at once to the runs, autosaves.
   void tick();
@@ -55,7 +55,7 @@ class Studio {
   void set_active(std::size_t run);
   Log& log() { return log_; }
   Settings& settings() { return settings_; }
-  const StudioFolders& folders() const { return folders_; }
+  const AppFolders& folders() const { return folders_; }
 
   /// CREATE. False, with the mistakes in the log, when something stands against it.
   bool create();
@@ -82,7 +82,7 @@ class Studio {
   /// The active setup stands in no file.
   bool unsaved() const;
   /// What would be lost if this were left behind now.
-  std::optional<UnsavedWork> unsaved_work(Leaves leaves) const;
+  std::optional<UnsavedItem> unsaved_work(Leaves leaves) const;
   /// "Barchan field - Momiji et al. 2000, 512 x 512".
   std::string title() const;
 
@@ -99,12 +99,12 @@ class Studio {
   io::Provenance provenance() const;
 
   /// Sessions that a crash left behind. One stays until its runs are made anew, or it is discarded.
-  const std::vector<LostSession>& lost_sessions() const { return lost_; }
+  const std::vector<CrashedSession>& crashed_sessions() const { return lost_; }
   /// Goes on with the lost session of this folder; false, with the reason in the log, when it cannot be read. When its
   /// runs cannot be made, what was open stays, and the session stays on offer; that shows at a later tick.
   bool recover(const std::filesystem::path& folder);
   /// Deletes the lost session of this folder; nothing where there is none.
-  void discard_lost(const std::filesystem::path& folder);
+  void discard_crashed(const std::filesystem::path& folder);
   /// Why no session is saved, and what to do about it; "" where one is.
   std::string why_not_kept() const;
   /// The program has to end: saves the runs for the next start. What to tell the person: where, or why not.
@@ -116,7 +116,7 @@ class Studio {
   void take_over_creation();
   void apply_edits();
   void watch_export();
-  void take_over_lost();
+  void take_over_crashed();
   void show(Comparison comparison, const std::filesystem::path& file);
   void resume(std::vector<io::Saved> saved, const std::filesystem::path& file);
   void keep_settings();
@@ -127,21 +127,21 @@ class Studio {
     Comparison comparison;
     std::size_t active = 0;
     std::filesystem::path file;
-    KeptWork kept;
+    UnsavedItem kept;
   };
 
-  StudioFolders folders_;
+  AppFolders folders_;
   Log log_;
   Settings settings_;
   Settings kept_settings_;  // as they stand in the file
   Comparison comparison_;
   std::size_t active_ = 0;
   std::filesystem::path file_;
-  KeptWork kept_;
+  UnsavedItem kept_;
   std::vector<sim::Config> handed_over_;  // what the runner was last given
   std::uint64_t creation_awaited_ = 0;    // the number of the command that makes what was asked for; 0: it is there
   std::optional<Before> before_opening_;
-  std::optional<LostSession> recovering_;  // until its runs are made
+  std::optional<CrashedSession> recovering_;  // until its runs are made
   bool play_when_made_ = false;
   bool creation_failed_ = false;
   std::unique_ptr<Runner> runner_;
@@ -152,7 +152,7 @@ class Studio {
   std::shared_ptr<const Snapshot> exported_;  // what the file under way keeps something of; else null
   std::size_t exported_run_ = 0;
   Keeps exported_keeps_ = Keeps::nothing;
-  std::vector<LostSession> lost_;
+  std::vector<CrashedSession> lost_;
 };
 
 }  // namespace erg::session

@@ -1,26 +1,26 @@
 // The camera in a person's hand.
 #include <gtest/gtest.h>
 
-#include "flat_stage.h"
+#include "flat_host.h"
 
 namespace erg::test {
 
 using render::eye;
-using ui::LandCamera;
+using ui::TerrainCamera;
 
 namespace {
 
 constexpr double aspect = 1.5;
 const FlatGround ground{{200, 100, 0, 10}};
 
-LandCamera block() {
-  LandCamera camera;
+TerrainCamera block() {
+  TerrainCamera camera;
   camera.choose("block", ground.box(), aspect);
   return camera;
 }
 
-TEST(LandCamera, TheWheelKeepsWhatIsUnderThePointerUnderIt) {
-  LandCamera camera = block();
+TEST(TerrainCamera, TheWheelKeepsWhatIsUnderThePointerUnderIt) {
+  TerrainCamera camera = block();
   const render::PicturePoint cursor{0.2, -0.1};
   const auto before = ground.under(camera.camera(), cursor, aspect);
   ASSERT_TRUE(before);
@@ -30,24 +30,24 @@ TEST(LandCamera, TheWheelKeepsWhatIsUnderThePointerUnderIt) {
   EXPECT_LT((*after - *before).norm(), 1e-6);
 }
 
-TEST(LandCamera, ItNeverGoesUnderTheGround) {
-  LandCamera camera = block();
+TEST(TerrainCamera, ItNeverGoesUnderTheGround) {
+  TerrainCamera camera = block();
   for (int i = 0; i < 50; ++i) camera.move({.orbit = true, .up = 0.1}, ground, aspect);
   EXPECT_GT(eye(camera.camera()).z(), 0.5);
   for (int i = 0; i < 200; ++i) camera.move({.rise = -1, .seconds = 0.1}, ground, aspect);
   EXPECT_GT(eye(camera.camera()).z(), 0.5);
 }
 
-TEST(LandCamera, ItStaysWithinReachOfTheLand) {
-  LandCamera camera = block();
+TEST(TerrainCamera, ItStaysWithinReachOfTheTerrain) {
+  TerrainCamera camera = block();
   for (int i = 0; i < 200; ++i) camera.move({.wheel = -5}, ground, aspect);
   EXPECT_LE(camera.camera().distance, 20 * 200);
   for (int i = 0; i < 200; ++i) camera.move({.pan = true, .right = 1}, ground, aspect);
   EXPECT_GE(camera.camera().target[0], -100);
 }
 
-TEST(LandCamera, FrameKeepsTheDirectionAndShowsAllCorners) {
-  LandCamera camera = block();
+TEST(TerrainCamera, FrameKeepsTheDirectionAndShowsAllCorners) {
+  TerrainCamera camera = block();
   camera.move({.orbit = true, .right = 0.2}, ground, aspect);
   camera.move({.wheel = 8}, ground, aspect);
   const double bearing = camera.camera().bearing;
@@ -66,8 +66,8 @@ TEST(LandCamera, FrameKeepsTheDirectionAndShowsAllCorners) {
   }
 }
 
-TEST(LandCamera, NothingMovesWithoutAHand) {
-  LandCamera camera = block();
+TEST(TerrainCamera, NothingMovesWithoutAHand) {
+  TerrainCamera camera = block();
   EXPECT_FALSE(camera.move({}, ground, aspect));
 }
 

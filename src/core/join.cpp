@@ -1,8 +1,8 @@
-#include "core/joined.h"
+#include "core/join.h"
 
 namespace erg {
 
-std::string joined(std::span<const std::string> words, std::string_view between) {
+std::string join(std::span<const std::string> words, std::string_view between) {
   std::string all;
   for (const std::string& word : words) {
     if (&word != words.data()) all += between;

@@ -1,4 +1,4 @@
-// What is drawn over the land in the window: legend, wind, captions, lines on the ground.
+// What is drawn over the terrain in the window: legend, wind, captions, lines on the ground.
 #pragma once
 
 #include <imgui.h>
@@ -9,31 +9,31 @@
 #include "picture/camera.h"
 #include "render/look.h"
 #include "session/snapshot.h"
-#include "ui/land/land_camera.h"
-#include "ui/land/land_view.h"
+#include "ui/land/terrain_camera.h"
+#include "ui/land/terrain_panes.h"
 #include "ui/panels/panel.h"
 
 namespace erg::ui {
 
 /// One run's part of the window with what is seen in it.
-struct LandPart {
+struct TerrainPane {
   WindowPart part;
   const session::RunSnapshot* run = nullptr;
-  const LandGround* ground = nullptr;  ///< null until it has been drawn once
+  const TerrainGround* ground = nullptr;  ///< null until it has been drawn once
 };
 
-/// The place in the picture of a point of the land as pixels of the window; none behind the camera.
+/// The place in the picture of a point of the terrain as pixels of the window; none behind the camera.
 std::optional<ImVec2> to_window(const Eigen::Vector3d& point, const picture::Camera& camera, const WindowPart& part);
 /// The place of a pixel in the picture.
 render::PicturePoint to_picture(ImVec2 pixel, const WindowPart& part);
 
 /// The legend of what a look shows, at the left edge. Nothing for materials without contour lines.
-void draw_legend(const LandPart& land, const render::Look& look);
+void draw_legend(const TerrainPane& pane, const render::Look& look);
 /// The wind's arrow and north, in the upper right corner, turned as the camera is.
-void draw_wind_rose(const LandPart& land, const picture::Camera& camera);
+void draw_wind_rose(const TerrainPane& pane, const picture::Camera& camera);
 /// Lines on the ground.
-void draw_marks(const LandPart& land, const picture::Camera& camera, double exaggeration,
-                const std::vector<LandMark>& marks);
+void draw_marks(const TerrainPane& pane, const picture::Camera& camera, double exaggeration,
+                const std::vector<TerrainMark>& marks);
 /// A line of text on a plate, its lower left corner at a point.
 void draw_plate(ImVec2 low_left, const std::string& text, const ImVec4& colour);
 

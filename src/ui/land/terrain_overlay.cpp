@@ -1,9 +1,10 @@
-#include "ui/land/land_overlay.h"
+#include "ui/land/terrain_overlay.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "core/units.h"
 #include "forcing/bearing.h"
 #include "ui/widgets/axis_ticks.h"
@@ -15,7 +16,7 @@ using picture::Camera;
 
 namespace {
 
-constexpr float margin = 12;  // pixels at scale 1, from the edges of the land
+constexpr float margin = 12;  // pixels at scale 1, from the edges of the terrain
 constexpr float plate_opacity = 0.78f;
 constexpr int most_marks = 6;  // of the legend's scale
 
@@ -69,22 +70,22 @@ void draw_plate(ImVec2 low_left, const std::string& text, const ImVec4& colour) 
   list.AddText({corner.x + pad, corner.y + 0.5f * pad}, ImGui::GetColorU32(colour), text.c_str());
 }
 
-void draw_legend(const LandPart& land, const render::Look& look) {
+void draw_legend(const TerrainPane& pane, const render::Look& look) {
   if (look.is_material() && look.contours == 0) return;
   const Gui& gui = Gui::current();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 corner{static_cast<float>(land.part.left) + gui.px(margin),
-                      static_cast<float>(land.part.top) + gui.px(margin)};
+  const ImVec2 corner{static_cast<float>(pane.part.left) + gui.px(margin),
+                      static_cast<float>(pane.part.top) + gui.px(margin)};
   if (look.is_material()) {
     draw_plate({corner.x, corner.y + gui.px(24)}, "contours every " + figure_text(look.contours) + " m",
                gui.theme().text);
     return;
   }
-  const render::ValueScale scale = render::value_scale(look, view_of_run(*land.run));
+  const render::ValueScale scale = render::value_scale(look, view_of_run(*pane.run));
   const float bar = gui.px(14);
-  const float high = std::min(gui.px(180), 0.4f * static_cast<float>(land.part.height));
+  const float high = std::min(gui.px(180), 0.4f * static_cast<float>(pane.part.height));
   const float line = ImGui::GetFontSize();
-  const std::string title = scale.label + (scale.unit.empty() ? "" : ", " + scale.unit);
+  const std::string title = scale.label + (scale.unit.empty() ? "" : ", " + unit_text(scale.unit));
   const float wide = std::max(ImGui::CalcTextSize(title.c_str()).x, bar + gui.px(8) + 4.5f * line);
   list.AddRectFilled(corner, {corner.x + wide + gui.px(16), corner.y + high + 2.4f * line + gui.px(8)},
                      with_opacity(gui.theme().panel, plate_opacity), gui.px(3));
@@ -111,12 +112,12 @@ void draw_legend(const LandPart& land, const render::Look& look) {
   if (ticks.count == 0) mark(0, figure_text(scale.low));  // one value everywhere
 }
 
-void draw_wind_rose(const LandPart& land, const Camera& camera) {
+void draw_wind_rose(const TerrainPane& pane, const Camera& camera) {
   const Gui& gui = Gui::current();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float radius = gui.px(30);
-  const ImVec2 middle{static_cast<float>(land.part.left + land.part.width) - gui.px(margin) - radius,
-                      static_cast<float>(land.part.top) + gui.px(margin) + radius};
+  const ImVec2 middle{static_cast<float>(pane.part.left + pane.part.width) - gui.px(margin) - radius,
+                      static_cast<float>(pane.part.top) + gui.px(margin) + radius};
   list.AddCircleFilled(middle, radius, with_opacity(gui.theme().panel, plate_opacity), 40);
   const ImVec2 north = on_screen(0, camera);
   const float letter = ImGui::GetFontSize();
@@ -124,14 +125,15 @@ void draw_wind_rose(const LandPart& land, const Camera& camera) {
   const float out = radius - 0.55f * letter;
   list.AddText({middle.x + out * north.x - 0.5f * size.x, middle.y + out * north.y - 0.5f * size.y},
                ImGui::GetColorU32(gui.theme().text), "N");
-  const double bearing = land.run->last_wind.mean_bearing();
+  const double bearing = pane.run->last_wind.mean_bearing();
   const ImVec2 way = on_screen(bearing + 180, camera);
   draw_arrow(middle, way, 1.15f * radius, ImGui::GetColorU32(gui.theme().accent));
 }
 
-void draw_marks(const LandPart& land, const Camera& camera, double exaggeration, const std::vector<LandMark>& marks) {
+void draw_marks(const TerrainPane& pane, const Camera& camera, double exaggeration,
+                const std::vector<TerrainMark>& marks) {
   const Gui& gui = Gui::current();
-  const Terrain& terrain = *land.run->terrain;
+  const Terrain& terrain = *pane.run->terrain;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto on_ground = [&](const std::array<double, 2>& cell) {
     const int x = std::clamp(static_cast<int>(std::lround(cell[0])), 0, terrain.nx() - 1);
@@ -139,18 +141,18 @@ void draw_marks(const LandPart& land, const Camera& camera, double exaggeration,
     const double height = exaggeration * terrain.metres(terrain.height(x, y));
     return Eigen::Vector3d((cell[0] + 0.5) * terrain.cell_size(), (cell[1] + 0.5) * terrain.cell_size(), height);
   };
-  for (const LandMark& mark : marks) {
+  for (const TerrainMark& mark : marks) {
     const std::size_t edges = mark.points.size() - (mark.closed || mark.points.empty() ? 0 : 1);
     for (std::size_t edge = 0; edge < edges; ++edge) {
       const auto& from = mark.points[edge];
       const auto& to = mark.points[(edge + 1) % mark.points.size()];
       // In short pieces, so that the line lies on the ground.
       const int pieces = std::clamp(static_cast<int>(std::hypot(to[0] - from[0], to[1] - from[1]) / 2), 1, 256);
-      std::optional<ImVec2> last = to_window(on_ground(from), camera, land.part);
+      std::optional<ImVec2> last = to_window(on_ground(from), camera, pane.part);
       for (int piece = 1; piece <= pieces; ++piece) {
         const double part = static_cast<double>(piece) / pieces;
         const std::optional<ImVec2> next = to_window(
-            on_ground({from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])}), camera, land.part);
+            on_ground({from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])}), camera, pane.part);
         if (last && next) list.AddLine(*last, *next, ImGui::GetColorU32(gui.theme().accent), gui.px(2));
         last = next;
       }

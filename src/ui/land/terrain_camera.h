@@ -1,4 +1,4 @@
-// The camera in a person's hand: mouse and keys over the land.
+// The camera in a person's hand: mouse and keys over the terrain.
 #pragma once
 
 #include <Eigen/Dense>
@@ -11,16 +11,16 @@
 
 namespace erg::ui {
 
-/// What the camera must know of the land under it.
-class LandGround {
+/// What the camera must know of the terrain under it.
+class TerrainGround {
  public:
-  virtual ~LandGround() = default;
-  /// The block of land, m.
-  virtual render::LandBox box() const = 0;
-  /// The point of the land that is seen at a place of the picture; none beside the land.
+  virtual ~TerrainGround() = default;
+  /// The block of terrain, m.
+  virtual render::TerrainBox box() const = 0;
+  /// The point of the terrain that is seen at a place of the picture; none beside the terrain.
   virtual std::optional<Eigen::Vector3d> under(const picture::Camera& camera, render::PicturePoint point,
                                                double aspect) const = 0;
-  /// Height of the land, m.
+  /// Height of the terrain, m.
   virtual double height(double east, double north) const = 0;
 };
 
@@ -28,7 +28,7 @@ class LandGround {
 struct CameraInput {
   render::PicturePoint cursor = {};  ///< where the pointer is
   bool orbit = false;                ///< a drag that turns the camera round its target
-  bool pan = false;                  ///< a drag that shifts the land
+  bool pan = false;                  ///< a drag that shifts the terrain
   bool look = false;                 ///< a drag that turns the view about the eye
   double right = 0;                  ///< how far the pointer went in this frame
   double up = 0;
@@ -39,18 +39,18 @@ struct CameraInput {
   double seconds = 0;  ///< since the last frame
 };
 
-/// Keeps a camera above the ground and within reach of the land while it is moved.
-class LandCamera {
+/// Keeps a camera above the ground and within reach of the terrain while it is moved.
+class TerrainCamera {
  public:
   const picture::Camera& camera() const { return camera_; }
   void set(const picture::Camera& camera) { camera_ = camera; }
-  /// One of render's presets, or the whole land in sight from where one looks now ("frame").
-  void choose(const std::string& preset, const render::LandBox& land, double aspect);
+  /// One of render's presets, or the whole terrain in sight from where one looks now ("frame").
+  void choose(const std::string& preset, const render::TerrainBox& box, double aspect);
   /// Moves it. True when it moved.
-  bool move(const CameraInput& input, const LandGround& ground, double aspect);
+  bool move(const CameraInput& input, const TerrainGround& ground, double aspect);
 
  private:
-  void stay_near(const render::LandBox& land);
+  void stay_near(const render::TerrainBox& box);
 
   picture::Camera camera_;
 };

@@ -19,7 +19,7 @@ namespace erg::session {
 inline constexpr std::size_t most_runs = 4;
 
 /// Runs under one wind and one clock. When a function throws, everything is as it was before.
-class Lockstep {
+class RunGroup {
  public:
   /// The runs' states at one moment.
   using Moment = std::vector<std::shared_ptr<const sim::RunState>>;
@@ -54,8 +54,8 @@ class Lockstep {
   const WindRecord& blown() const { return blown_; }
   /// Other configs from the next step on, as many as there are runs. Throws InputError.
   void change(const std::vector<sim::Config>& configs);
-  /// A dab on one run, booked in its ledger. Throws InputError.
-  void paint(std::size_t run, const Dab& dab, std::uint64_t stroke);
+  /// A stamp on one run, booked in its ledger. Throws InputError.
+  void paint(std::size_t run, const BrushStamp& stamp, std::uint64_t stroke);
 
   /// Number of the last stroke on this run since it was created or reset; 0: none.
   std::uint64_t last_stroke(std::size_t run) const;

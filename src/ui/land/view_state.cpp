@@ -1,4 +1,4 @@
-#include "ui/land/scenery.h"
+#include "ui/land/view_state.h"
 
 #include <algorithm>
 

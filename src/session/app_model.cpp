@@ -1,4 +1,4 @@
-#include "session/studio.h"
+#include "session/app_model.h"
 
 #include <utility>
 
@@ -40,7 +40,7 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-Studio::Studio(StudioFolders folders, std::function<void()> before_step) : folders_(std::move(folders)) {
+AppModel::AppModel(AppFolders folders, std::function<void()> before_step) : folders_(std::move(folders)) {
   std::string complaint;
   if (!folders_.settings.empty()) settings_ = read_settings(folders_.settings, complaint);
   if (!complaint.empty()) log_.warning(complaint);
@@ -54,14 +54,14 @@ Studio::Studio(StudioFolders folders, std::function<void()> before_step) : folde
   snapshot_ = runner_->snapshot();
 }
 
-Studio::~Studio() { keep_settings(); }
+AppModel::~AppModel() { keep_settings(); }
 
-void Studio::keep_settings() {
+void AppModel::keep_settings() {
   if (folders_.settings.empty() || settings_ == kept_settings_) return;
   if (logged(log_, [this] { write_settings(folders_.settings, settings_); })) kept_settings_ = settings_;
 }
 
-void Studio::tick() {
+void AppModel::tick() {
   const Activity before = snapshot_->activity;
   snapshot_ = runner_->snapshot();
   take_over_creation();
@@ -81,33 +81,33 @@ void Studio::tick() {
   }
 }
 
-void Studio::set_active(std::size_t run) {
+void AppModel::set_active(std::size_t run) {
   if (run < comparison_.size()) active_ = run;
 }
 
 // -- creating, and edits while a run goes on --
 
-bool Studio::create() {
+bool AppModel::create() {
   return logged(log_, [this] { hand_over(comparison_.configs_to_create()); });
 }
 
-void Studio::hand_over(std::vector<Config> configs) {
+void AppModel::hand_over(std::vector<Config> configs) {
   handed_over_ = configs;
   runner_->create(std::move(configs));
   await_creation();
 }
 
 /// What was asked for before is not waited for any more.
-void Studio::await_creation() {
+void AppModel::await_creation() {
   creation_awaited_ = runner_->commands_given();
   recovering_.reset();
   play_when_made_ = false;
 }
 
-bool Studio::create_needed() const { return comparison_.needs_new_terrain(*snapshot_); }
+bool AppModel::create_needed() const { return comparison_.needs_new_terrain(*snapshot_); }
 
 /// Looks whether what was asked for is there by now: until then the runs are not those that the setups speak of.
-void Studio::take_over_creation() {
+void AppModel::take_over_creation() {
   if (creation_awaited_ == 0 || snapshot_->commands_done < creation_awaited_) return;
   const bool made = snapshot_->failed_creation != creation_awaited_;
   creation_awaited_ = 0;
@@ -122,7 +122,7 @@ void Studio::take_over_creation() {
     log_.information("opened " + file_.string());
     remember_file();
   }
-  if (made && recovering_) take_over_lost();
+  if (made && recovering_) take_over_crashed();
   if (made && play_when_made_) runner_->play();
   recovering_.reset();
   play_when_made_ = false;
@@ -130,14 +130,14 @@ void Studio::take_over_creation() {
 }
 
 /// The runs of the session that a crash left are there: it is not needed any more once they are saved again.
-void Studio::take_over_lost() {
+void AppModel::take_over_crashed() {
   kept_.recovered(*snapshot_);
-  std::erase_if(lost_, [this](const LostSession& lost) { return lost.folder == recovering_->folder; });
+  std::erase_if(lost_, [this](const CrashedSession& lost) { return lost.folder == recovering_->folder; });
   if (session_ != nullptr) session_->replaces(*recovering_);
   log_.information("recovered the session of " + recovering_->saved_at);
 }
 
-void Studio::apply_edits() {
+void AppModel::apply_edits() {
   if (creation_awaited_ > 0 || snapshot_->runs.size() != comparison_.size()) return;
   std::vector<Config> wanted = comparison_.configs_in_force(*snapshot_);
   if (wanted == handed_over_) return;
@@ -147,7 +147,7 @@ void Studio::apply_edits() {
 
 // -- files --
 
-bool Studio::open(const fs::path& path) {
+bool AppModel::open(const fs::path& path) {
   return logged(log_, [&] {
     if (path.extension() == ".checkpoint") {
       resume({io::read_checkpoint(path)}, path);
@@ -163,14 +163,14 @@ bool Studio::open(const fs::path& path) {
   });
 }
 
-bool Studio::open_and_play(const fs::path& path) {
+bool AppModel::open_and_play(const fs::path& path) {
   if (!open(path)) return false;
   play_when_made_ = true;
   return true;
 }
 
 /// Other setups than before; what was there is kept until the runs are made.
-void Studio::show(Comparison comparison, const fs::path& file) {
+void AppModel::show(Comparison comparison, const fs::path& file) {
   if (!before_opening_) before_opening_ = Before{comparison_, active_, file_, kept_};
   comparison_ = std::move(comparison);
   active_ = 0;
@@ -178,7 +178,7 @@ void Studio::show(Comparison comparison, const fs::path& file) {
   kept_.start_from(file_, comparison_.config(0));
 }
 
-void Studio::resume(std::vector<io::Saved> saved, const fs::path& file) {
+void AppModel::resume(std::vector<io::Saved> saved, const fs::path& file) {
   Comparison resumed;
   for (std::size_t i = 0; i < saved.size(); ++i) {
     if (i > 0) resumed.add_copy_of(0);
@@ -190,7 +190,7 @@ void Studio::resume(std::vector<io::Saved> saved, const fs::path& file) {
   await_creation();
 }
 
-bool Studio::save_config(const fs::path& path) {
+bool AppModel::save_config(const fs::path& path) {
   return logged(log_, [&] {
     Config config = comparison_.config(active_);
     io::write_config(path, config);
@@ -202,17 +202,17 @@ bool Studio::save_config(const fs::path& path) {
   });
 }
 
-void Studio::remember_file() {
+void AppModel::remember_file() {
   if (io::is_stream(file_)) return;
   settings_.add_recent(file_);
   settings_.last_folder = fs::absolute(file_).parent_path().string();
 }
 
-bool Studio::has_own_file() const {
+bool AppModel::has_own_file() const {
   return file_.extension() == ".json" && comparison_.size() == 1 && !is_below(file_, folders_.presets);
 }
 
-std::string Studio::suggested_name(const std::string& ending) const {
+std::string AppModel::suggested_name(const std::string& ending) const {
   const Setup& setup = comparison_.setup(active_);
   if (!file_.empty()) return (setup.has_its_own_model() ? file_.stem().string() : setup.config().model) + ending;
   std::string name;
@@ -229,13 +229,13 @@ std::string Studio::suggested_name(const std::string& ending) const {
   return (name.empty() ? "dunes" : name) + ending;
 }
 
-bool Studio::unsaved() const { return !kept_.has(comparison_.config(active_)); }
+bool AppModel::unsaved() const { return !kept_.has(comparison_.config(active_)); }
 
-std::optional<UnsavedWork> Studio::unsaved_work(Leaves leaves) const {
+std::optional<UnsavedItem> AppModel::unsaved_work(Leaves leaves) const {
   return kept_.missing(comparison_, *snapshot_, leaves);
 }
 
-std::string Studio::title() const {
+std::string AppModel::title() const {
   const Config& config = comparison_.setup(active_).config();
   const bool of_file = !file_.empty() && comparison_.setup(active_).has_its_own_model();
   const std::string name = !config.title.empty() ? config.title : of_file ? file_.stem().string() : "untitled";
@@ -243,9 +243,9 @@ std::string Studio::title() const {
          std::to_string(config.grid.integer("nx")) + " x " + std::to_string(config.grid.integer("ny"));
 }
 
-const RunSnapshot* Studio::active_run() const { return snapshot_->has_runs() ? &snapshot_->runs[shown()] : nullptr; }
+const RunSnapshot* AppModel::active_run() const { return snapshot_->has_runs() ? &snapshot_->runs[shown()] : nullptr; }
 
-void Studio::start_export(const fs::path& path, const std::string& format) {
+void AppModel::start_export(const fs::path& path, const std::string& format) {
   if (active_run() == nullptr) {
     log_.error("there is nothing to export: create a terrain first");
     return;
@@ -260,12 +260,12 @@ void Studio::start_export(const fs::path& path, const std::string& format) {
   });
 }
 
-void Studio::watch_export() {
+void AppModel::watch_export() {
   if (export_ == nullptr || export_reported_ || export_->state() == Export::State::writing) return;
   export_reported_ = true;
   if (export_->state() == Export::State::done) {
     log_.information("wrote " + export_->path().string());
-    if (exported_keeps_ == Keeps::land) kept_.land_saved(*exported_, exported_run_);
+    if (exported_keeps_ == Keeps::terrain) kept_.terrain_saved(*exported_, exported_run_);
     if (exported_keeps_ != Keeps::nothing) {
       kept_.setup_saved(export_->path(), *exported_->runs[exported_run_].config);
     }
@@ -275,7 +275,7 @@ void Studio::watch_export() {
   exported_.reset();  // it holds the terrains of all runs
 }
 
-io::Provenance Studio::provenance() const {
+io::Provenance AppModel::provenance() const {
   const RunSnapshot* run = active_run();
   if (run == nullptr) return provenance_of(comparison_.setup(active_).config(), 0, "none", 0);
   return provenance_of(*run->config, run->step, run->executor, run->threads);
@@ -283,8 +283,8 @@ io::Provenance Studio::provenance() const {
 
 // -- after a crash --
 
-bool Studio::recover(const fs::path& folder) {
-  const auto found = std::ranges::find(lost_, folder, &LostSession::folder);
+bool AppModel::recover(const fs::path& folder) {
+  const auto found = std::ranges::find(lost_, folder, &CrashedSession::folder);
   if (found == lost_.end()) {
     log_.error("nothing is left to recover in " + folder.string());
     return false;
@@ -295,23 +295,23 @@ bool Studio::recover(const fs::path& folder) {
   });
 }
 
-void Studio::discard_lost(const fs::path& folder) {
-  const auto found = std::ranges::find(lost_, folder, &LostSession::folder);
+void AppModel::discard_crashed(const fs::path& folder) {
+  const auto found = std::ranges::find(lost_, folder, &CrashedSession::folder);
   if (found == lost_.end()) return;
   Session::discard(*found);
   lost_.erase(found);
 }
 
-std::string Studio::why_not_kept() const {
+std::string AppModel::why_not_kept() const {
   if (session_ != nullptr) return {};
   const std::string why = folders_.state.empty() ? "neither XDG_STATE_HOME nor HOME names a folder"
                                                  : "the folder " + folders_.state.string() + " cannot be written";
   return why +
-         ", so nothing is saved by itself and a crash loses the land; set XDG_STATE_HOME to a folder of yours, or "
+         ", so nothing is saved by itself and a crash loses the terrain; set XDG_STATE_HOME to a folder of yours, or "
          "save checkpoints (Export)";
 }
 
-std::string Studio::rescue() {
+std::string AppModel::rescue() {
   if (!runner_->snapshot()->has_runs()) return "there was nothing to save";
   if (session_ == nullptr) return "the runs are lost: " + why_not_kept();
   try {

@@ -1,4 +1,4 @@
-#include "ui/land/land_window.h"
+#include "ui/land/terrain_window.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,54 +66,54 @@ std::string caption(const sim::Config& config, const std::vector<SetupDifference
 
 }  // namespace
 
-std::vector<LandPart> LandWindow::lands(const Snapshot& now) const {
-  std::vector<LandPart> all;
+std::vector<TerrainPane> TerrainWindow::panes(const Snapshot& now) const {
+  std::vector<TerrainPane> all;
   for (std::size_t index = 0; index < std::min(parts_.size(), now.runs.size()); ++index) {
     all.push_back({parts_[index], &now.runs[index], ground_(index)});
   }
   return all;
 }
 
-void LandWindow::take_wanted_view(const Snapshot& now, const std::vector<LandPart>& lands) {
-  if (lands.empty()) return;
-  const Terrain& terrain = *lands.front().run->terrain;
+void TerrainWindow::take_wanted_view(const Snapshot& now, const std::vector<TerrainPane>& panes) {
+  if (panes.empty()) return;
+  const Terrain& terrain = *panes.front().run->terrain;
   const std::array<double, 2> extent{terrain.nx() * terrain.cell_size(), terrain.ny() * terrain.cell_size()};
-  // A land of another size is shown whole, from above if the last one was, else as a block.
-  if (scenery_.wanted_view.empty() && extent != extent_) {
-    scenery_.wanted_view = scenery_.camera.camera().orthographic ? "top" : "block";
+  // A terrain of another size is shown whole, from above if the last one was, else as a block.
+  if (view_state_.wanted_view.empty() && extent != extent_) {
+    view_state_.wanted_view = view_state_.camera.camera().orthographic ? "top" : "block";
   }
-  if (scenery_.wanted_view.empty() && now.creations != creations_) scenery_.wanted_view = "frame";
+  if (view_state_.wanted_view.empty() && now.creations != creations_) view_state_.wanted_view = "frame";
   extent_ = extent;
   creations_ = now.creations;
-  if (scenery_.wanted_view.empty()) return;
-  const render::LandBox box = render::Renderer::land_of(view_of_run(*lands.front().run), scenery_.look);
-  scenery_.camera.choose(scenery_.wanted_view, box, lands.front().part.aspect());
-  scenery_.wanted_view.clear();
+  if (view_state_.wanted_view.empty()) return;
+  const render::TerrainBox box = render::Renderer::box_of(view_of_run(*panes.front().run), view_state_.look);
+  view_state_.camera.choose(view_state_.wanted_view, box, panes.front().part.aspect());
+  view_state_.wanted_view.clear();
 }
 
-void LandWindow::take_input(Desk& desk, WindowPart area) {
-  const Snapshot& now = desk.studio.now();
+void TerrainWindow::take_input(PanelContext& context, WindowPart area) {
+  const Snapshot& now = context.app.now();
   area_ = area;
   const std::size_t parts_before = parts_.size();
   parts_ = split(area, now.runs.size());
   // Beside others a run has less room than alone: all of it stays in sight.
   const bool other_room = parts_before > 0 && parts_.size() != parts_before;
-  if (other_room && scenery_.wanted_view.empty()) scenery_.wanted_view = "frame";
-  tool_ = desk.tool;
-  desk.tool = LandTool::camera;  // a panel that wants another says so in every frame
-  const std::vector<LandPart> all = lands(now);
+  if (other_room && view_state_.wanted_view.empty()) view_state_.wanted_view = "frame";
+  tool_ = context.tool;
+  context.tool = TerrainTool::camera;  // a panel that wants another says so in every frame
+  const std::vector<TerrainPane> all = panes(now);
   take_wanted_view(now, all);
 
   ImGui::SetNextWindowPos(corner_of(area));
   ImGui::SetNextWindowSize(size_of(area));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
-  ImGui::Begin("##land", nullptr, bare);
+  ImGui::Begin("##terrain", nullptr, bare);
   ImGui::SetCursorScreenPos(corner_of(area));
   ImGui::InvisibleButton(
-      "land", size_of(area),
+      "terrain", size_of(area),
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-  mark("land");
+  mark("terrain");
   const bool hovered = ImGui::IsItemHovered();
   active_ = ImGui::IsItemActive();
   ImGui::SetItemAllowOverlap();
@@ -121,7 +121,7 @@ void LandWindow::take_input(Desk& desk, WindowPart area) {
   ImGui::PopStyleVar(2);
 
   restless_ = false;
-  desk.land = {};
+  context.pointer = {};
   if (all.empty()) return;
   if (!active_) {
     for (std::size_t index = 0; index < all.size(); ++index) {
@@ -129,97 +129,98 @@ void LandWindow::take_input(Desk& desk, WindowPart area) {
     }
   }
   under_pointer_ = std::min(under_pointer_, all.size() - 1);
-  const LandPart& land = all[under_pointer_];
-  if (hovered && ImGui::IsMouseClicked(0)) desk.studio.set_active(under_pointer_);
-  if (land.ground == nullptr) return;
-  point(desk, land, hovered);
-  move_camera(desk, land, hovered);
+  const TerrainPane& pane = all[under_pointer_];
+  if (hovered && ImGui::IsMouseClicked(0)) context.app.set_active(under_pointer_);
+  if (pane.ground == nullptr) return;
+  point(context, pane, hovered);
+  move_camera(context, pane, hovered);
 }
 
-void LandWindow::point(Desk& desk, const LandPart& land, bool hovered) {
+void TerrainWindow::point(PanelContext& context, const TerrainPane& pane, bool hovered) {
   if (!hovered && !active_) return;
-  const render::PicturePoint place = to_picture(ImGui::GetIO().MousePos, land.part);
-  const auto seen = land.ground->under(scenery_.camera.camera(), place, land.part.aspect());
-  const Terrain& terrain = *land.run->terrain;
+  const render::PicturePoint place = to_picture(ImGui::GetIO().MousePos, pane.part);
+  const auto seen = pane.ground->under(view_state_.camera.camera(), place, pane.part.aspect());
+  const Terrain& terrain = *pane.run->terrain;
   if (seen) {
     const auto cell = [&](double metres, int count) {
       return std::clamp(static_cast<int>(std::floor(metres / terrain.cell_size())), 0, count - 1);
     };
-    desk.land.cell = session::CellPlace{cell(seen->x(), terrain.nx()), cell(seen->y(), terrain.ny())};
+    context.pointer.cell = session::CellPlace{cell(seen->x(), terrain.nx()), cell(seen->y(), terrain.ny())};
   }
-  if (tool_ == LandTool::camera || ImGui::GetIO().KeyCtrl) return;
-  desk.land.pressed = seen.has_value() && hovered && ImGui::IsMouseClicked(0);
-  desk.land.held = active_ && ImGui::IsMouseDown(0);
+  if (tool_ == TerrainTool::camera || ImGui::GetIO().KeyCtrl) return;
+  context.pointer.pressed = seen.has_value() && hovered && ImGui::IsMouseClicked(0);
+  context.pointer.held = active_ && ImGui::IsMouseDown(0);
 }
 
-void LandWindow::move_camera(const Desk& desk, const LandPart& land, bool hovered) {
+void TerrainWindow::move_camera(const PanelContext& context, const TerrainPane& pane, bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
   CameraInput input;
-  input.cursor = to_picture(io.MousePos, land.part);
+  input.cursor = to_picture(io.MousePos, pane.part);
   input.seconds = std::min(static_cast<double>(io.DeltaTime), 0.1);
-  const bool left = active_ && ImGui::IsMouseDown(0) && (tool_ == LandTool::camera || io.KeyCtrl);
+  const bool left = active_ && ImGui::IsMouseDown(0) && (tool_ == TerrainTool::camera || io.KeyCtrl);
   input.look = left && io.KeyCtrl;
   input.orbit = left && !io.KeyCtrl && !io.KeyShift;
   input.pan = active_ && (ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2) || (left && io.KeyShift));
-  input.right = io.MouseDelta.x / land.part.height;
-  input.up = -io.MouseDelta.y / land.part.height;
+  input.right = io.MouseDelta.x / pane.part.height;
+  input.up = -io.MouseDelta.y / pane.part.height;
   if (hovered) input.wheel = io.MouseWheel;
-  if (!io.WantTextInput && !io.KeyCtrl && !desk.keys_taken) {
+  if (!io.WantTextInput && !io.KeyCtrl && !context.keys_taken) {
     input.forwards = pressed('W', 'S');
     input.sideways = pressed('D', 'A');
     input.rise = pressed('E', 'Q');
   }
-  restless_ = scenery_.camera.move(input, *land.ground, land.part.aspect()) || input.orbit || input.pan || input.look;
+  restless_ =
+      view_state_.camera.move(input, *pane.ground, pane.part.aspect()) || input.orbit || input.pan || input.look;
 }
 
-void LandWindow::draw_over(Desk& desk) {
-  ImGui::Begin("##land", nullptr, bare);
+void TerrainWindow::draw_over(PanelContext& context) {
+  ImGui::Begin("##terrain", nullptr, bare);
   {
     const WidgetScope scope("LAND");
-    const std::vector<LandPart> all = lands(desk.studio.now());
+    const std::vector<TerrainPane> all = panes(context.app.now());
     if (all.empty()) {
-      draw_empty(desk);
+      draw_empty(context);
     } else {
-      draw_lands(desk, all);
+      draw_terrains(context, all);
     }
   }
-  desk.marks.clear();
+  context.marks.clear();
   ImGui::End();
 }
 
-void LandWindow::draw_lands(const Desk& desk, const std::vector<LandPart>& all) const {
-  const picture::Camera& camera = scenery_.camera.camera();
-  for (const LandPart& land : all) {
-    const ImVec2 corner = corner_of(land.part);
-    const ImVec2 size = size_of(land.part);
+void TerrainWindow::draw_terrains(const PanelContext& context, const std::vector<TerrainPane>& all) const {
+  const picture::Camera& camera = view_state_.camera.camera();
+  for (const TerrainPane& pane : all) {
+    const ImVec2 corner = corner_of(pane.part);
+    const ImVec2 size = size_of(pane.part);
     ImGui::PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-    draw_marks(land, camera, scenery_.look.exaggeration, desk.marks);
-    if (scenery_.legend) draw_legend(land, scenery_.look);
-    if (scenery_.legend) draw_wind_rose(land, camera);
+    draw_marks(pane, camera, view_state_.look.exaggeration, context.marks);
+    if (view_state_.legend) draw_legend(pane, view_state_.look);
+    if (view_state_.legend) draw_wind_rose(pane, camera);
     ImGui::PopClipRect();
   }
-  if (all.size() > 1) draw_captions(desk, all);
-  draw_reading(desk, all[std::min(under_pointer_, all.size() - 1)]);
-  draw_troubles(desk);
+  if (all.size() > 1) draw_captions(context, all);
+  draw_reading(context, all[std::min(under_pointer_, all.size() - 1)]);
+  draw_troubles(context);
 }
 
-void LandWindow::draw_reading(const Desk& desk, const LandPart& land) const {
-  if (!desk.land.cell) return;
-  const Terrain& terrain = *land.run->terrain;
-  if (desk.land.cell->x >= terrain.nx() || desk.land.cell->y >= terrain.ny()) return;
+void TerrainWindow::draw_reading(const PanelContext& context, const TerrainPane& pane) const {
+  if (!context.pointer.cell) return;
+  const Terrain& terrain = *pane.run->terrain;
+  if (context.pointer.cell->x >= terrain.nx() || context.pointer.cell->y >= terrain.ny()) return;
   const Gui& gui = Gui::current();
-  const ImVec2 place{static_cast<float>(land.part.left) + gui.px(12),
-                     static_cast<float>(land.part.top + land.part.height) - gui.px(12)};
-  draw_plate(place, session::read_cell(terrain, *desk.land.cell).text(), gui.theme().text);
+  const ImVec2 place{static_cast<float>(pane.part.left) + gui.px(12),
+                     static_cast<float>(pane.part.top + pane.part.height) - gui.px(12)};
+  draw_plate(place, session::read_cell(terrain, *context.pointer.cell).text(), gui.theme().text);
   mark("reading", {place.x, place.y - gui.px(20)}, {place.x + gui.px(200), place.y});
 }
 
-void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& all) const {
+void TerrainWindow::draw_captions(const PanelContext& context, const std::vector<TerrainPane>& all) const {
   const Theme& theme = Gui::current().theme();
-  const std::vector<SetupDifference> differences = desk.studio.comparison().differences();
+  const std::vector<SetupDifference> differences = context.app.comparison().differences();
   for (std::size_t index = 0; index < all.size(); ++index) {
     const WindowPart& part = all[index].part;
-    const bool chosen = index == desk.studio.active();
+    const bool chosen = index == context.app.active();
     const ImVec2 corner = corner_of(part);
     ImGui::GetWindowDrawList()->AddRect(
         corner, {corner.x + static_cast<float>(part.width), corner.y + static_cast<float>(part.height)},
@@ -232,9 +233,9 @@ void LandWindow::draw_captions(const Desk& desk, const std::vector<LandPart>& al
   }
 }
 
-void LandWindow::draw_troubles(const Desk& desk) const {
+void TerrainWindow::draw_troubles(const PanelContext& context) const {
   const Gui& gui = Gui::current();
-  const Snapshot& now = desk.studio.now();
+  const Snapshot& now = context.app.now();
   const ImVec2 corner{static_cast<float>(area_.left) + gui.px(12),
                       static_cast<float>(area_.top + area_.height) - gui.px(44)};
   float low = corner.y;
@@ -243,32 +244,33 @@ void LandWindow::draw_troubles(const Desk& desk) const {
     low -= gui.px(28);
   };
   if (now.activity == Activity::failed) {
-    line("The land stands as it was before that step. Save it (Export, checkpoint) or Reset.", gui.theme().text);
+    line("The terrain stands as it was before that step. Save it (Export, checkpoint) or Reset.", gui.theme().text);
     line("A step failed: " + now.message, gui.theme().lost);
   }
   if (now.activity == Activity::building) line("Making the terrain \u2026", gui.theme().accent);
 }
 
-void LandWindow::draw_empty(Desk& desk) const {
+void TerrainWindow::draw_empty(PanelContext& context) const {
   const Gui& gui = Gui::current();
-  const bool building = desk.studio.now().activity == Activity::building;
+  const bool building = context.app.now().activity == Activity::building;
   ImGui::SetCursorPosY(0.4f * static_cast<float>(area_.height));
   if (building) {
     centred("Making the terrain \u2026", gui.theme().accent);
     return;
   }
-  centred("No land yet.", gui.theme().text);
+  centred("No terrain yet.", gui.theme().text);
   ImGui::Dummy({0, gui.px(8)});
   const float wide = gui.px(180);
   ImGui::SetCursorPosX(0.5f * (ImGui::GetWindowWidth() - 2 * wide - gui.px(8)));
-  if (button("Choose a preset", {.tooltip = "The gallery of lands that are ready to grow (G)",
+  if (button("Choose a preset", {.tooltip = "The gallery of terrains that are ready to grow (G)",
                                  .look = ButtonLook::accent,
                                  .size = {wide, 0}})) {
-    desk.open(panel_title::gallery);
+    context.open(panel_title::gallery);
   }
   ImGui::SameLine();
-  if (button("Create from the setup", {.tooltip = "Make the land that the SETUP panel describes", .size = {wide, 0}})) {
-    desk.studio.create();
+  if (button("Create from the setup",
+             {.tooltip = "Make the terrain that the SETUP panel describes", .size = {wide, 0}})) {
+    context.app.create();
   }
 }
 

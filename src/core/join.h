@@ -8,6 +8,6 @@
 namespace erg {
 
 /// The words one after another with `between` between each two: "torus, open".
-std::string joined(std::span<const std::string> words, std::string_view between);
+std::string join(std::span<const std::string> words, std::string_view between);
 
 }  // namespace erg

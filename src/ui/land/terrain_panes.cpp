@@ -1,4 +1,4 @@
-#include "ui/land/land_view.h"
+#include "ui/land/terrain_panes.h"
 
 #include <algorithm>
 
@@ -10,10 +10,10 @@
 namespace erg::ui {
 
 using picture::Camera;
-using render::LandBox;
 using render::Look;
-using render::RenderEffort;
 using render::Renderer;
+using render::RenderQuality;
+using render::TerrainBox;
 using render::TerrainView;
 using session::RunSnapshot;
 using session::Snapshot;
@@ -24,12 +24,12 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds rest{350};  // without a change before the fine picture is drawn
 
-// So many times as long as a drawing took, land that changes by itself is left as drawn.
+// So many times as long as a drawing took, terrain that changes by itself is left as drawn.
 constexpr int breathing_space = 3;
 
 // At rest a picture may take a moment, but not so long that the window seems stuck.
-RenderEffort effort_at_rest(bool software) {
-  return software ? RenderEffort{512, 1024, 3, 128, true} : RenderEffort::still();
+RenderQuality quality_at_rest(bool software) {
+  return software ? RenderQuality{512, 1024, 3, 128, true} : RenderQuality::still();
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ TerrainView view_of_run(const RunSnapshot& run) {
 }
 
 // One run's picture, what it shows, and the ground that it shows.
-struct LandView::Pane final : LandGround {
+struct TerrainPanes::Pane final : TerrainGround {
   Renderer renderer;
   render::PictureTarget target;
   WindowPart part;
@@ -74,37 +74,38 @@ struct LandView::Pane final : LandGround {
   Drawing ordered;  // from the painter of still pictures
   // The terrain is held as long as the renderer may be asked about it.
   std::shared_ptr<const Terrain> terrain;
-  LandBox land;
+  TerrainBox bounds;
 
-  LandBox box() const override { return land; }
+  TerrainBox box() const override { return bounds; }
   std::optional<Eigen::Vector3d> under(const Camera& from, render::PicturePoint point, double aspect) const override {
-    return renderer.land_under(from, point, aspect);
+    return renderer.terrain_under(from, point, aspect);
   }
   double height(double east, double north) const override { return renderer.ground_height(east, north); }
 };
 
-LandView::LandView(bool software, StillPainter* stills)
+TerrainPanes::TerrainPanes(bool software, StillPainter* stills)
     : software_(software), stills_(software && stills != nullptr && stills->works() ? stills : nullptr) {}
-LandView::~LandView() = default;
+TerrainPanes::~TerrainPanes() = default;
 
 /// At once, where something differs from what is shown.
-void LandView::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool restless) {
+void TerrainPanes::draw_pane(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera,
+                             bool restless) {
   const Clock::time_point now = Clock::now();
   const bool by_hand = !(pane.part == pane.drawn_part) || !(look == pane.look) || !(camera == pane.camera);
   const bool differs = by_hand || view_of_run(run).version != pane.version;
   if (differs || restless) pane.changed = now;
   if (!differs) return;
-  // Land that changes by itself may be drawn seldom: where drawing is slow, the controls come first.
+  // Terrain that changes by itself may be drawn seldom: where drawing is slow, the controls come first.
   if (!by_hand && now - pane.drawn < breathing_space * pane.cost) return;
   paint(pane, run, look, camera, false);
   pane.drawn = Clock::now();
   pane.cost = pane.drawn - now;
 }
 
-void LandView::paint(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool fine) {
+void TerrainPanes::paint(Pane& pane, const RunSnapshot& run, const Look& look, const Camera& camera, bool fine) {
   const TerrainView view = view_of_run(run);
   pane.fine = fine;
-  pane.renderer.set_effort(fine ? effort_at_rest(software_) : RenderEffort::moving(software_));
+  pane.renderer.set_quality(fine ? quality_at_rest(software_) : RenderQuality::moving(software_));
   // Twice the pixels each way, averaged as they are copied into the window, make edges smooth.
   pane.scale = fine && !software_ ? 2 : 1;
   const int width = pane.scale * pane.part.width;
@@ -112,7 +113,7 @@ void LandView::paint(Pane& pane, const RunSnapshot& run, const Look& look, const
   pane.target.prepare(width, height);
   pane.notes = pane.renderer.draw_into(pane.target.frame(), view, look, camera, width, height);
   if (view.version != pane.version || look.exaggeration != pane.look.exaggeration) {
-    pane.land = Renderer::land_of(view, look);
+    pane.bounds = Renderer::box_of(view, look);
   }
   pane.terrain = run.terrain;
   pane.version = view.version;
@@ -122,12 +123,12 @@ void LandView::paint(Pane& pane, const RunSnapshot& run, const Look& look, const
 }
 
 /// Nothing has changed for a while, in any of the runs: those that are compared are always drawn alike.
-bool LandView::rested() const {
+bool TerrainPanes::rested() const {
   const Clock::time_point now = Clock::now();
   return std::ranges::all_of(panes_, [now](const auto& pane) { return now - pane->changed >= rest; });
 }
 
-void LandView::refine(const Snapshot& snapshot, const Look& look, const Camera& camera) {
+void TerrainPanes::refine(const Snapshot& snapshot, const Look& look, const Camera& camera) {
   if (!rested() || std::ranges::all_of(panes_, [](const auto& pane) { return pane->fine; })) return;
   if (stills_ == nullptr) {
     for (std::size_t i = 0; i < panes_.size(); ++i) paint(*panes_[i], snapshot.runs[i], look, camera, true);
@@ -137,8 +138,8 @@ void LandView::refine(const Snapshot& snapshot, const Look& look, const Camera& 
   if (!stills_->busy()) order_stills(snapshot, look, camera);
 }
 
-void LandView::order_stills(const Snapshot& snapshot, const Look& look, const Camera& camera) {
-  StillOrder order{{}, look, camera, effort_at_rest(software_)};
+void TerrainPanes::order_stills(const Snapshot& snapshot, const Look& look, const Camera& camera) {
+  StillOrder order{{}, look, camera, quality_at_rest(software_)};
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     Pane& pane = *panes_[i];
     order.parts.push_back({snapshot.runs[i], pane.part.width, pane.part.height});
@@ -148,7 +149,7 @@ void LandView::order_stills(const Snapshot& snapshot, const Look& look, const Ca
 }
 
 /// Shows what was drawn meanwhile; false where that is not what should be seen any more.
-bool LandView::take_stills(std::vector<StillPicture> pictures) {
+bool TerrainPanes::take_stills(std::vector<StillPicture> pictures) {
   const bool as_ordered =
       std::ranges::all_of(panes_, [](const auto& pane) { return pane->ordered == pane->drawing(); });
   if (!as_ordered) return false;
@@ -163,7 +164,7 @@ bool LandView::take_stills(std::vector<StillPicture> pictures) {
   return true;
 }
 
-void LandView::show(const Pane& pane, int window_height) const {
+void TerrainPanes::show(const Pane& pane, int window_height) const {
   const WindowPart& part = pane.part;
   const int low = window_height - part.top - part.height;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, pane.target.frame());
@@ -173,8 +174,8 @@ void LandView::show(const Pane& pane, int window_height) const {
                     low + part.height, GL_COLOR_BUFFER_BIT, pane.scale == 1 ? GL_NEAREST : GL_LINEAR);
 }
 
-std::vector<std::string> LandView::draw(const Snapshot& snapshot, const Look& look, const Camera& camera,
-                                        const std::vector<WindowPart>& parts, int window_height, bool restless) {
+std::vector<std::string> TerrainPanes::draw(const Snapshot& snapshot, const Look& look, const Camera& camera,
+                                            const std::vector<WindowPart>& parts, int window_height, bool restless) {
   const std::size_t count = std::min(snapshot.runs.size(), parts.size());
   panes_.resize(std::min(panes_.size(), count));
   while (panes_.size() < count) panes_.push_back(std::make_unique<Pane>());
@@ -192,15 +193,17 @@ std::vector<std::string> LandView::draw(const Snapshot& snapshot, const Look& lo
   return notes;
 }
 
-bool LandView::unfinished() const {
+bool TerrainPanes::unfinished() const {
   const bool all_fine = std::ranges::all_of(panes_, [](const auto& pane) { return pane->fine; });
   return !all_fine && rested() && (stills_ == nullptr || !stills_->busy());
 }
 
-const LandGround* LandView::ground(std::size_t run) const { return run < panes_.size() ? panes_[run].get() : nullptr; }
+const TerrainGround* TerrainPanes::ground(std::size_t run) const {
+  return run < panes_.size() ? panes_[run].get() : nullptr;
+}
 
-render::Picture LandView::picture(const RunSnapshot& run, const Look& look, const Camera& camera,
-                                  const render::PictureSize& size) {
+render::Picture TerrainPanes::picture(const RunSnapshot& run, const Look& look, const Camera& camera,
+                                      const render::PictureSize& size) {
   Renderer renderer;
   return renderer.draw(view_of_run(run), look, camera, size);
 }
