@@ -8,6 +8,7 @@
 
 #include "transport/fixed_point.h"
 #include "transport/slab_law.h"
+#include "wind/shadow.h"
 #include "wind/wind_frame.h"
 
 namespace erg {
@@ -96,8 +97,10 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   const auto fall = [](double slabs) {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(fixed_point(slabs), 1, 0xffffffff));
   };
-  drawn.row_fall = fall(law.shadow_fall / frame.cosine);
-  drawn.adjacent_fall = fall(law.shadow_fall);
+  const ShadowFalls falls = shadow_falls(frame, law.shadow_fall);
+  drawn.row_fall = fall(falls.row);
+  drawn.next_fall = fall(falls.next);
+  drawn.second_fall = fall(falls.second);
   drawn.wall_step = law.bare.straight;
   if (open && sweep < sweeps) drawn.inflow = law.inflow / sweeps;
   draw_slide_order(law, key, number, drawn);
