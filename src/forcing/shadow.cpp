@@ -40,15 +40,25 @@ double shadow_fall(double angle, double cell_size, double quantum) {
   return std::tan(radians(angle)) * cell_size / quantum;
 }
 
+ShadowFalls shadow_falls(const WindFrame& frame, double fall) {
+  const double row = fall / frame.cosine;
+  if (frame.tangent <= 0) return {fall, 2 * fall, row};
+  return {4 * row, fall, row};
+}
+
 Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fall) {
   Grid<std::uint8_t> dark(terrain.extent());
   if (dark.empty()) return dark;
   const WindFrame frame = wind_frame(terrain.extent(), bearing);
   const bool torus = terrain.boundary() == Boundary::torus;
-  const Fixed fall_far = to_fixed(fall / frame.cosine);
-  const Fixed fall_near = to_fixed(fall);
-  std::vector<Fixed> far(static_cast<std::size_t>(frame.width), no_line);   // S: shadow line of all peaks passed
-  std::vector<Fixed> near(static_cast<std::size_t>(frame.width), no_line);  // N: shadow line of the adjacent cell
+  const ShadowFalls falls = shadow_falls(frame, fall);
+  const Fixed row_fall = to_fixed(falls.row);
+  const Fixed next_fall = to_fixed(falls.next);
+  const Fixed second_fall = to_fixed(falls.second);
+  const auto lines = static_cast<std::size_t>(frame.width);
+  std::vector<Fixed> far(lines, no_line);     // shadow line of all that stands two rows upwind and farther
+  std::vector<Fixed> next(lines, no_line);    // height of the next row upwind
+  std::vector<Fixed> second(lines, no_line);  // and of the second
   const int start = torus ? -warm_up_rows(terrain, frame, fall) : 0;
   for (int row = start; row < frame.length; ++row) {
     const int sideways = drift(frame, row);
@@ -56,12 +66,15 @@ Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fal
     for (int line = 0; line < frame.width; ++line) {
       const int column = wrap(line + sideways, frame.width);
       const auto at = static_cast<std::size_t>(line);
-      if (!torus && moved && column == 0) far[at] = near[at] = no_line;  // this line enters over the side here
+      // A line that enters over the side has nothing upwind.
+      if (!torus && moved && column == 0) far[at] = next[at] = second[at] = no_line;
       const std::size_t cell = frame.cell(column, wrap(row, frame.length));
       const Fixed height = (Fixed{terrain.bedrock()[cell]} + terrain.mobile()[cell]) * fixed_one;
-      if (row >= 0) dark[cell] = height < std::max(far[at], near[at]) ? 1 : 0;
-      far[at] = std::max(height, far[at]) - fall_far;
-      near[at] = height - fall_near;
+      const Fixed near = std::max(next[at] - next_fall, second[at] - second_fall);
+      if (row >= 0) dark[cell] = height < std::max(far[at], near) ? 1 : 0;
+      far[at] = std::max(next[at] - row_fall, far[at]) - row_fall;
+      second[at] = next[at];
+      next[at] = height;
     }
   }
   return dark;

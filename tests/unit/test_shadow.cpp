@@ -116,6 +116,34 @@ TEST(Shadow, IsAsLongAtEveryBearing) {
   }
 }
 
+// Under an oblique wind the next cell stands far from the wind's direction, so a step of one slab is looked for two
+// rows upwind, along an axis in the next row.
+TEST(Shadow, AStepOfOneSlabIsSeenTwoRowsUpwindOfAnObliqueWind) {
+  for (const double bearing : {270.0, 280.0, 250.0, 225.0}) {
+    Terrain terrain({40, 40}, 1.0, 1.0 / 3, Boundary::open);
+    for (int y = 0; y < 40; ++y) {
+      for (int x = 0; x < 20; ++x) terrain.edit_mobile()(x, y) = 1;
+    }
+    const auto dark = shadow_map(terrain, bearing, 0.8);
+    const bool along_an_axis = bearing == 270.0;
+    for (int y = 10; y < 30; ++y) {  // where neither the sides nor the ends are near
+      EXPECT_EQ(dark(20, y), 1) << bearing << ": the foot of the step";
+      EXPECT_EQ(dark(21, y), along_an_axis ? 0 : 1) << bearing << ": the second row behind it";
+      EXPECT_EQ(dark(22, y), 0) << bearing;
+    }
+  }
+}
+
+TEST(Shadow, AThinWallShadesTheCellBehindItAtEveryBearing) {
+  for (const double bearing : {270.0, 280.0, 250.0, 225.0}) {
+    Terrain terrain({40, 40}, 1.0, 1.0 / 3, Boundary::open);
+    for (int y = 0; y < 40; ++y) terrain.edit_mobile()(20, y) = 6;
+    const auto dark = shadow_map(terrain, bearing, 0.8);
+    for (int behind = 1; behind <= 5; ++behind) EXPECT_EQ(dark(20 + behind, 20), 1) << bearing << ", " << behind;
+    EXPECT_EQ(dark(30, 20), 0) << bearing;
+  }
+}
+
 TEST(Shadow, FallIsTheTangent) { EXPECT_NEAR(shadow_fall(15, 1.0, 1.0 / 3), 0.8038, 1e-4); }
 
 }  // namespace

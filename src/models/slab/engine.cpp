@@ -280,7 +280,6 @@ SweepPlan<Lane> SlabEngine::sweep_plan(const Progress& progress) const {
   plan.open = open_;
   if (sizeof(Lane) == 1) {
     plan.row_fall = std::min(plan.row_fall, narrow_shadow);
-    plan.adjacent_fall = std::min(plan.adjacent_fall, narrow_shadow);
   }
   plan.warm_up = warm_up_rows(plan, progress.highest);
   plan.hop_by_height = hop_table_.size() > 1;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "forcing/shadow.h"
 #include "kernels/fixed_point.h"
 #include "models/slab/terrain_heights.h"
 
@@ -91,8 +92,10 @@ void SlabReference::sync_to_host(Terrain& terrain) {
 }
 
 void SlabReference::prepare(const SlabLaw& law) {
-  row_fall_ = fixed_point(law.shadow_fall / frame_.cosine);
-  adjacent_fall_ = fixed_point(law.shadow_fall);
+  const ShadowFalls falls = shadow_falls(frame_, law.shadow_fall);
+  row_fall_ = fixed_point(falls.row);
+  next_fall_ = fixed_point(falls.next);
+  second_fall_ = fixed_point(falls.second);
   measure_relief();
   cover_.clear();
   if (law.cover == nullptr) return;
@@ -283,29 +286,29 @@ void SlabReference::deposit(Place place) {
   change(cell, +1);
 }
 
-/// Algorithm 6, with true distances at any bearing; the adjacent cell counts as one unit away.
+/// Algorithm 6, with true distances at any bearing but for the nearest two cells (ShadowFalls).
 bool SlabReference::in_shadow(Place place, Draws& draws) const {
   const double sideways = frame_.tangent > 0 ? draws.unit() : 0;
   const std::int64_t here = static_cast<std::int64_t>(surface_[index(place.u, place.v)]) << fixed_point_bits;
   const std::int64_t top = static_cast<std::int64_t>(highest_) << fixed_point_bits;
+  const auto columns = [&](int row) { return static_cast<int>(std::floor(row * frame_.tangent + sideways)); };
   int u = place.u;
   int v = place.v;
-  std::int64_t line = here + adjacent_fall_;
-  for (int row = 1; line < top; ++row) {
+  for (int row = 1;; ++row) {
+    const std::int64_t line = here + (row == 1 ? next_fall_ : row == 2 ? second_fall_ : row_fall_ * row);
+    if (row > 1 && line >= top) return false;
     --v;
     if (v < 0) {
       if (open_) return false;
       v += frame_.length;
     }
     if (frame_.tangent > 0) {
-      u = place.u - static_cast<int>(std::floor(row * frame_.tangent + sideways));
+      u = place.u - columns(row);
       if (open_ && u < 0) return false;
       u = wrap(u, frame_.width);
     }
     if ((static_cast<std::int64_t>(surface_[index(u, v)]) << fixed_point_bits) > line) return true;
-    line = here + row_fall_ * (row + 1);
   }
-  return false;
 }
 
 /// Folds a place over the torus; false where it lies beyond an open edge.

@@ -80,8 +80,9 @@ class SlabReference : public SlabSolver {
   SlabLaw law_;
   double strength_ = 0;
   StepKey key_;
-  std::int64_t row_fall_ = 0;       ///< of the shadow line per row, in 1/256 slabs
-  std::int64_t adjacent_fall_ = 0;  ///< to the next row, in 1/256 slabs
+  std::int64_t row_fall_ = 0;  ///< ShadowFalls, in 1/256 slabs
+  std::int64_t next_fall_ = 0;
+  std::int64_t second_fall_ = 0;
   Grid<std::int32_t>* lift_counts_ = nullptr;
   StepReport report_;
 };

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "forcing/shadow.h"
 #include "forcing/wind_frame.h"
 #include "kernels/fixed_point.h"
 #include "models/slab/slab_law.h"
@@ -96,8 +97,10 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   const auto fall = [](double slabs) {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(fixed_point(slabs), 1, 0xffffffff));
   };
-  drawn.row_fall = fall(law.shadow_fall / frame.cosine);
-  drawn.adjacent_fall = fall(law.shadow_fall);
+  const ShadowFalls falls = shadow_falls(frame, law.shadow_fall);
+  drawn.row_fall = fall(falls.row);
+  drawn.next_fall = fall(falls.next);
+  drawn.second_fall = fall(falls.second);
   drawn.wall_step = law.bare.straight;
   if (open && sweep < sweeps) drawn.inflow = law.inflow / sweeps;
   draw_slide_order(law, key, number, drawn);

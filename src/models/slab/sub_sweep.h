@@ -46,10 +46,11 @@ struct SubSweep {
   std::uint32_t p_sand_16 = 0;  ///< chance * 65536
   std::uint32_t p_bare_16 = 0;
   bool lift_in_shadow = true;
-  std::uint32_t row_fall = 0;       ///< fall of the shadow line per row, 1/256 slabs
-  std::uint32_t adjacent_fall = 0;  ///< to the next row
-  int wall_step = 0;                ///< slabs: bedrock standing higher than this over the ground before it is a wall
-  double inflow = 0;                ///< slabs entering per line and sub-sweep
+  std::uint32_t row_fall = 0;  ///< ShadowFalls, 1/256 slabs
+  std::uint32_t next_fall = 0;
+  std::uint32_t second_fall = 0;
+  int wall_step = 0;  ///< slabs: bedrock standing higher than this over the ground before it is a wall
+  double inflow = 0;  ///< slabs entering per line and sub-sweep
 
   int edge_classes = 4;
   std::uint8_t order[8] = {};  ///< classes of sliding edges (EdgeClass) in the order of this sub-sweep

@@ -83,14 +83,15 @@ struct alignas(fetched_ahead) Strip {
   int first = 0;  ///< first line
   int lines = 0;  ///< at most strip_lines
   SweepCounts counts;
-  SweepCounts shown[2];                  ///< counts of the last two sub-sweeps, for all members to read
-  std::int64_t last_arrival = -1;        ///< no slab in the air comes down after this row
-  alignas(64) Shadow line[strip_lines];  ///< height of the shadow line, 1/256 slabs
-  alignas(64) Lane upwind[strip_lines];  ///< height of the row before (oblique winds)
-  alignas(64) Lane target[strip_lines];  ///< the row of the block in which the line is polled
-  Overhang<Lane>* overhang = nullptr;    ///< of each row; null where planes are not skewed
-  int next_block = -1;                   ///< the block that begins where the strip's own places end, if one does
-  Lane* ring = nullptr;                  ///< ring_rows x strip_lines, empty (0) between sub-sweeps
+  SweepCounts shown[2];                     ///< counts of the last two sub-sweeps, for all members to read
+  std::int64_t last_arrival = -1;           ///< no slab in the air comes down after this row
+  alignas(64) Shadow line[strip_lines];     ///< height of the shadow line, 1/256 slabs
+  alignas(64) Lane upwind[2][strip_lines];  ///< heights of the last two rows, in turn (oblique winds)
+  int second = 0;                           ///< where in `upwind` the earlier one is
+  alignas(64) Lane target[strip_lines];     ///< the row of the block in which the line is polled
+  Overhang<Lane>* overhang = nullptr;       ///< of each row; null where planes are not skewed
+  int next_block = -1;                      ///< the block that begins where the strip's own places end, if one does
+  Lane* ring = nullptr;                     ///< ring_rows x strip_lines, empty (0) between sub-sweeps
 };
 
 /// Slides of one sub-sweep, for one thread: what slides by which rules, and its room for seams.

@@ -353,7 +353,7 @@ class Conveyor {
     if (lane >= strip_.lines) return;
     flight_.drop_out(lane, y);
     strip_.line[lane] = 0;
-    strip_.upwind[lane] = 0;
+    strip_.upwind[0][lane] = strip_.upwind[1][lane] = 0;
     flight_.enter(row_, lane, y);
   }
 

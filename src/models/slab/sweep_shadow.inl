@@ -6,14 +6,15 @@ class ShadowLine {
  public:
   ShadowLine(const SweepPlan<Lane>& plan, Strip<Lane>& strip)
       : strip_(strip),
+        oblique_(plan.oblique),
         row_fall_(static_cast<Shadow>(plan.row_fall)),
-        adjacent_fall_(static_cast<Lane>(plan.adjacent_fall >> fixed_point_bits)),
-        shades_beside_(adjacent_fall_ != plan.row_fall >> fixed_point_bits) {}
+        next_fall_(whole_slabs(plan.next_fall)),
+        second_fall_(whole_slabs(plan.second_fall)) {}
 
   /// Which lanes of a row lie in shadow, and the shadow lines for the next row.
   void cast(Row<Lane>& row, int lanes) {
-    if (shades_beside_) {
-      cast_both(row, lanes);
+    if (oblique_) {
+      cast_obliquely(row, lanes);
       return;
     }
     const Lane* __restrict height = row.height;
@@ -32,28 +33,41 @@ class ShadowLine {
   using Shadow = typename Strip<Lane>::Shadow;
   static constexpr Lane all_ones = static_cast<Lane>(~Lane{0});
 
-  /// The same with a second line, from each cell to the next row.
-  void cast_both(Row<Lane>& row, int lanes) {
+  /// The same with falls of their own from the next row upwind and from the second.
+  void cast_obliquely(Row<Lane>& row, int lanes) {
     const Lane* __restrict height = row.height;
     Lane* __restrict dark = row.dark;
-    Shadow* __restrict line = strip_.line;
+    Shadow* __restrict line = strip_.line;                   // of what stands two rows upwind and farther
+    Lane* __restrict second = strip_.upwind[strip_.second];  // this row will take its place
+    strip_.second = 1 - strip_.second;
+    const Lane* __restrict next = strip_.upwind[strip_.second];
     const Shadow fall = row_fall_;
-    Lane* __restrict upwind = strip_.upwind;
-    const Lane clear = adjacent_fall_;
+    const Lane next_clear = next_fall_;
+    const Lane second_clear = second_fall_;
     ERG_EACH(i, lanes) {
+      const Lane below_next = static_cast<Lane>((next[i] > next_clear ? next[i] : next_clear) - next_clear);
+      const Lane below_second = static_cast<Lane>((second[i] > second_clear ? second[i] : second_clear) - second_clear);
+      const Lane shaded_below = below_next > below_second ? below_next : below_second;
       const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
-      const Lane shaded_below = static_cast<Lane>((upwind[i] > clear ? upwind[i] : clear) - clear);
       dark[i] =
           static_cast<Lane>((top < line[i] ? all_ones : Lane{0}) | (height[i] < shaded_below ? all_ones : Lane{0}));
-      const Shadow higher = top > line[i] ? top : line[i];
+      const Shadow next_top = static_cast<Shadow>(next[i] << fixed_point_bits);
+      const Shadow next_line = static_cast<Shadow>((next_top > fall ? next_top : fall) - fall);
+      const Shadow higher = next_line > line[i] ? next_line : line[i];
       line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
-      upwind[i] = height[i];
+      second[i] = height[i];
     }
   }
 
+  /// A fall of the shadow line (1/256 slabs) in whole slabs: heights are whole too.
+  static Lane whole_slabs(std::uint32_t fall) {
+    const std::uint32_t slabs = fall >> fixed_point_bits;
+    return slabs < all_ones ? static_cast<Lane>(slabs) : all_ones;
+  }
+
   Strip<Lane>& strip_;
-  const Shadow row_fall_;     // 1/256 slabs, along the wind
-  const Lane adjacent_fall_;  // whole slabs, to the next row, which an oblique wind meets nearer than a row's length
-  // Heights are whole slabs, so that the shorter way matters only where the line falls less by a whole one.
-  const bool shades_beside_;
+  const bool oblique_;
+  const Shadow row_fall_;
+  const Lane next_fall_;
+  const Lane second_fall_;
 };
