@@ -9,7 +9,7 @@ install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION ${share
 install(FILES scripts/packages.txt DESTINATION ${share}/scripts)
 
 # The layers without pictures in OpenGL and without the window: a program that computes needs neither.
-set(library_layers core process picture forcing transport cuda executors models sim analysis
+set(library_layers core process picture forcing compute kernels cuda models sim analysis
                    io/files io/config io/formats io/checkpoint)
 set(library_targets erg_options erg_io)
 foreach(layer IN LISTS library_layers)
@@ -17,13 +17,14 @@ foreach(layer IN LISTS library_layers)
   set_target_properties(erg_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND library_targets erg_${name})
   install(DIRECTORY src/${layer}/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/erg/${layer}" FILES_MATCHING PATTERN "*.h"
-          PATTERN without EXCLUDE)
+          PATTERN "*.def" PATTERN stub EXCLUDE)
 endforeach()
 set_target_properties(erg_options PROPERTIES EXPORT_NAME options)
 set_target_properties(erg_io PROPERTIES EXPORT_NAME io)
 if(ERG_HAS_CUDA)
-  set_target_properties(erg_kernels PROPERTIES EXPORT_NAME kernels)
-  list(APPEND library_targets erg_kernels)
+  set_target_properties(erg_cuda_api PROPERTIES EXPORT_NAME cuda_api)
+  set_target_properties(erg_cuda_entries PROPERTIES EXPORT_NAME cuda_entries)
+  list(APPEND library_targets erg_cuda_api erg_cuda_entries)
 endif()
 install(TARGETS ${library_targets} EXPORT ErgTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "models/slab_model.h"
+#include "models/slab/slab_model.h"
 
 namespace erg {
 namespace {
@@ -13,25 +13,44 @@ namespace {
 // Werner's; but the ground's wetness is renewed once a step, so a cell gives no more than one slab in each.
 constexpr SlabFamily family{.polling = "nonrepeated"};
 
-Parameters water_table_parameters() {
-  Parameters parameters = slab_parameters(family);
-  parameters.push_back(real_parameter("water_table", "Water table", "m", 0.5, 0, 1000,
-                                      "Height above level 0 up to which the ground is wet through.", "Stokes 1968"));
-  parameters.push_back(real_parameter("fringe", "Capillary fringe", "m", 0.3, 0, 10,
-                                      "Height above the water table over which the ground dries to the top."));
-  return parameters;
+/// What its parameters say.
+struct WaterTableValues : SlabValues {
+  double water_table = 0;  ///< m
+  double fringe = 0;       ///< m
+};
+
+Binding<WaterTableValues> water_table_binding() {
+  const Binding<WaterTableValues>::Entries own{
+      {&WaterTableValues::water_table,
+       {.key = "water_table",
+        .label = "Water table",
+        .unit = "m",
+        .default_value = 0.5,
+        .minimum = 0,
+        .maximum = 1000,
+        .meaning = "Height above level 0 up to which the ground is wet through.",
+        .source = "Stokes 1968"}},
+      {&WaterTableValues::fringe,
+       {.key = "fringe",
+        .label = "Capillary fringe",
+        .unit = "m",
+        .default_value = 0.3,
+        .minimum = 0,
+        .maximum = 10,
+        .meaning = "Height above the water table over which the ground dries to the top."}}};
+  return Binding<WaterTableValues>(slab_binding(family), own);
 }
 
 class WaterTable : public SlabModel {
  public:
-  explicit WaterTable(ParameterValues values) : SlabModel(family, std::move(values)) {}
+  explicit WaterTable(const WaterTableValues& values) : SlabModel(family, values), values_(values) {}
 
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
-    executor.settle(terrain);
+    executor.sync_to_host(terrain);
     wet_the_ground(terrain, executor);
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover_;
-    return executor.step(terrain, law, wind, key);
+    return move_slabs(executor, terrain, law, wind, key);
   }
 
   std::vector<Reading> readings() const override {
@@ -45,9 +64,9 @@ class WaterTable : public SlabModel {
   void wet_the_ground(const Terrain& terrain, Executor& executor) {
     CoverField& cover = cover_.edit();
     if (cover.extent() != terrain.extent()) cover = CoverField(terrain.extent());
-    const double table = values().real("water_table");
-    const double fringe = std::max(values().real("fringe"), 1e-6);
-    executor.for_pieces(static_cast<std::int64_t>(cover.size()), [&](std::int64_t begin, std::int64_t end) {
+    const double table = values_.water_table;
+    const double fringe = std::max(values_.fringe, 1e-6);
+    executor.parallel_for(static_cast<std::int64_t>(cover.size()), [&](std::int64_t begin, std::int64_t end) {
       for (auto cell = static_cast<std::size_t>(begin); cell < static_cast<std::size_t>(end); ++cell) {
         const double height = terrain.metres(terrain.bedrock()[cell] + terrain.mobile()[cell]);
         cover[cell] = cover_of(static_cast<float>(std::clamp((table + fringe - height) / fringe, 0.0, 1.0)));
@@ -55,14 +74,15 @@ class WaterTable : public SlabModel {
     });
   }
 
+  WaterTableValues values_;
   Cover cover_;
 };
 
-std::vector<std::string> explain(const ParameterValues& values, double cell_size) {
+std::vector<std::string> explain(const WaterTableValues& values, double cell_size) {
   std::vector<std::string> lines = explain_slabs(values, cell_size);
   char line[80];
-  std::snprintf(line, sizeof line, "water table %g m: %.1f slabs above level 0", values.real("water_table"),
-                values.real("water_table") / values.real("slab_height"));
+  std::snprintf(line, sizeof line, "water table %g m: %.1f slabs above level 0", values.water_table,
+                values.water_table / values.slab_height);
   lines.push_back(line);
   return lines;
 }
@@ -70,21 +90,21 @@ std::vector<std::string> explain(const ParameterValues& values, double cell_size
 }  // namespace
 
 ModelType water_table() {
-  return {
-      {.key = "water_table",
-       .title = "Water table",
-       .citation = "Werner 1995 over a water table as in Stokes, W. L. (1968). Multiple parallel-truncation bedding "
+  return ModelOf<WaterTableValues>{
+      .info = {.key = "water_table",
+               .title = "Water table",
+               .citation =
+                   "Werner 1995 over a water table as in Stokes, W. L. (1968). Multiple parallel-truncation bedding "
                    "planes. Journal of Sedimentary Petrology 38, 510-515.",
-       .makes = "dunes between level wet flats",
-       .leaves_out = "a table that rises under dunes, rain, evaporation, salt",
-       .step = slab_step,
-       .strength_label = slab_strength},
-      water_table_parameters(),
-      {},  // no layers of its own
-      2,   // bytes a cell: the cover, here and with the executor
-      [](const ParameterValues& values) { return std::make_unique<WaterTable>(values); },
-      explain,
-      slab_step_scale};
+               .makes = "dunes between level wet flats",
+               .leaves_out = "a table that rises under dunes, rain, evaporation, salt",
+               .step = slab_step,
+               .strength_label = slab_strength},
+      .parameters = water_table_binding(),
+      .working_bytes = 2,  // bytes a cell: the cover, here and with the executor
+      .make = [](const WaterTableValues& values) { return std::make_unique<WaterTable>(values); },
+      .explain = explain,
+      .step_scale = slab_step_scale};
 }
 
 }  // namespace erg

@@ -22,7 +22,8 @@ std::optional<Number> number_from(std::string_view text) {
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return number;
 }
-/// A unit as people read it, from its name in files: "°" for deg, "°C" for deg C, "m²" for m2, "kg/m³" for kg/m3; others are the same.
+/// A unit as people read it, from its name in files: "°" for deg, "°C" for deg C, "m²" for m2, "kg/m³" for kg/m3;
+/// others are the same.
 std::string unit_text(std::string_view unit);
 
 /// A hash as people see it: 16 hexadecimal digits.

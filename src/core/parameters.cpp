@@ -21,12 +21,13 @@ bool is_whole(double number) {
 
 /// The value as the parameter keeps it. Call after `check_value`.
 ParameterValue stored(const Parameter& parameter, ParameterValue value) {
-  if (parameter.kind == ParameterKind::real) {
+  if (parameter.kind() == ParameterKind::real) {
     const auto* whole = std::get_if<std::int64_t>(&value);
     const double number = whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
+    if (parameter.notation != nullptr) return parameter.notation->fold(number);
     return number + 0.0;  // turns -0 into 0, which JSON readers do not tell apart
   }
-  if (parameter.kind == ParameterKind::integer) {
+  if (parameter.kind() == ParameterKind::integer) {
     if (const auto* number = std::get_if<double>(&value)) return static_cast<std::int64_t>(*number);
   }
   return value;
@@ -51,9 +52,9 @@ std::optional<Mistake> check_number(const Parameter& parameter, const ParameterV
   if (whole == nullptr && real == nullptr) return unacceptable(parameter, value, place);
   const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
   // Beyond these a whole number may lie next to a limit and become it as a double.
-  const bool exact = whole == nullptr || parameter.kind == ParameterKind::real ||
+  const bool exact = whole == nullptr || parameter.kind() == ParameterKind::real ||
                      (*whole >= -largest_whole && *whole <= largest_whole);
-  const bool kind_fits = parameter.kind == ParameterKind::real || whole != nullptr || is_whole(number);
+  const bool kind_fits = parameter.kind() == ParameterKind::real || whole != nullptr || is_whole(number);
   // Written so that NaN, which is neither below nor above anything, is refused.
   const bool range_fits = exact && number >= parameter.minimum && number <= parameter.maximum;
   if (kind_fits && range_fits) return std::nullopt;
@@ -79,95 +80,79 @@ std::optional<Mistake> check_curve(const Parameter& parameter, const ParameterVa
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     const auto [x, y] = vertices[k];
     // Written so that NaN is refused.
-    const bool fits = x >= parameter.across_minimum && x <= parameter.across_maximum && y >= parameter.minimum &&
-                      y <= parameter.maximum;
+    const bool fits =
+        x >= parameter.x_minimum && x <= parameter.x_maximum && y >= parameter.minimum && y <= parameter.maximum;
     if (!fits || (k > 0 && !(x > vertices[k - 1].x))) return unacceptable(parameter, value, place);
   }
   return std::nullopt;
 }
 
+bool in_unit_square(const CurvePoint& point) { return point.x >= 0 && point.x <= 1 && point.y >= 0 && point.y <= 1; }
+
+std::optional<Mistake> check_bezier(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
+  const auto* curve = std::get_if<BezierCurve>(&value);
+  if (curve != nullptr && in_unit_square(curve->first) && in_unit_square(curve->second)) return std::nullopt;
+  return Mistake{place, parameter.key + " is not two points of the unit square",
+                 "expected " + accepted_text(parameter)};
+}
+
+/// Each row's own values are right, since it refuses others.
+std::optional<Mistake> check_rows(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
+  const auto* list = std::get_if<RowList>(&value);
+  if (list == nullptr) return unacceptable(parameter, value, place);
+  const auto count = static_cast<double>(list->rows.size());
+  const bool same = std::ranges::all_of(list->rows, [&](const ParameterValues& row) {
+    return std::ranges::equal(row.declared(), parameter.columns.all(), {}, &Parameter::key, &Parameter::key);
+  });
+  if (same && count >= parameter.minimum && count <= parameter.maximum) return std::nullopt;
+  return Mistake{place, parameter.key + " has " + std::to_string(list->rows.size()) + " rows",
+                 "expected " + accepted_text(parameter)};
+}
+
+std::string row_text(const ParameterValues& row) {
+  std::string text;
+  for (const Parameter& column : row.declared()) {
+    if (!row.is_set(column.key)) continue;
+    text += (text.empty() ? "" : ", ") + column.key + "=" + value_text(row.value(column.key));
+  }
+  return "[" + text + "]";
+}
+
 }  // namespace
 
-Parameter real_parameter(std::string key, std::string label, std::string unit, double standard, double minimum,
-                         double maximum, std::string meaning, std::string source) {
-  Parameter parameter;
-  parameter.key = std::move(key);
-  parameter.label = std::move(label);
-  parameter.unit = std::move(unit);
-  parameter.kind = ParameterKind::real;
-  parameter.standard = standard;
-  parameter.minimum = minimum;
-  parameter.maximum = maximum;
-  parameter.meaning = std::move(meaning);
-  parameter.source = std::move(source);
-  return parameter;
+bool RowList::operator==(const RowList& other) const { return rows == other.rows; }
+
+ParameterKind Parameter::kind() const {
+  if (std::holds_alternative<double>(default_value)) return ParameterKind::real;
+  if (std::holds_alternative<std::int64_t>(default_value)) return ParameterKind::integer;
+  if (std::holds_alternative<bool>(default_value)) return ParameterKind::boolean;
+  if (std::holds_alternative<PiecewiseLinear>(default_value)) return ParameterKind::curve;
+  if (std::holds_alternative<BezierCurve>(default_value)) return ParameterKind::bezier;
+  if (std::holds_alternative<RowList>(default_value)) return ParameterKind::rows;
+  return choices.empty() ? ParameterKind::path : ParameterKind::choice;
 }
 
-Parameter integer_parameter(std::string key, std::string label, std::string unit, std::int64_t standard,
-                            std::int64_t minimum, std::int64_t maximum, std::string meaning, std::string source) {
-  Parameter parameter =
-      real_parameter(std::move(key), std::move(label), std::move(unit), 0, static_cast<double>(minimum),
-                     static_cast<double>(maximum), std::move(meaning), std::move(source));
-  parameter.kind = ParameterKind::integer;
-  parameter.standard = standard;
-  return parameter;
+Declarations::Declarations() {
+  static const auto none = std::make_shared<const Parameters>();
+  parameters_ = none;
 }
 
-Parameter boolean_parameter(std::string key, std::string label, bool standard, std::string meaning,
-                            std::string source) {
-  Parameter parameter =
-      real_parameter(std::move(key), std::move(label), "", 0, 0, 0, std::move(meaning), std::move(source));
-  parameter.kind = ParameterKind::boolean;
-  parameter.standard = standard;
-  return parameter;
-}
+Declarations::Declarations(Parameters parameters)
+    : parameters_(std::make_shared<const Parameters>(std::move(parameters))) {}
 
-Parameter choice_parameter(std::string key, std::string label, std::string standard, std::vector<std::string> choices,
-                           std::string meaning, std::string source) {
-  Parameter parameter =
-      real_parameter(std::move(key), std::move(label), "", 0, 0, 0, std::move(meaning), std::move(source));
-  parameter.kind = ParameterKind::choice;
-  parameter.standard = std::move(standard);
-  parameter.choices = std::move(choices);
-  return parameter;
-}
+Declarations::Declarations(std::initializer_list<Parameter> parameters) : Declarations(Parameters(parameters)) {}
 
-Parameter path_parameter(std::string key, std::string label, std::string meaning) {
-  Parameter parameter = real_parameter(std::move(key), std::move(label), "", 0, 0, 0, std::move(meaning), "");
-  parameter.kind = ParameterKind::path;
-  parameter.standard = std::string();
-  return parameter;
-}
+const Parameter* Declarations::begin() const { return parameters_->data(); }
 
-Parameter curve_parameter(std::string key, std::string label, std::string unit, PiecewiseLinear standard,
-                          CurveRange across, double minimum, double maximum, std::string meaning, std::string source) {
-  Parameter parameter = real_parameter(std::move(key), std::move(label), std::move(unit), 0, minimum, maximum,
-                                       std::move(meaning), std::move(source));
-  parameter.kind = ParameterKind::curve;
-  parameter.standard = std::move(standard);
-  parameter.across = std::move(across.across);
-  parameter.across_minimum = across.minimum;
-  parameter.across_maximum = across.maximum;
-  return parameter;
-}
+const Parameter* Declarations::end() const { return parameters_->data() + parameters_->size(); }
 
-Parameter with_hint(Parameter parameter, std::string too_small) {
-  parameter.too_small = std::move(too_small);
-  return parameter;
-}
-
-Parameter at_start(Parameter parameter) {
-  parameter.at_start = true;
-  return parameter;
-}
-
-Parameter only_when(Parameter parameter, std::vector<std::string> condition) {
-  parameter.only_when = std::move(condition);
-  return parameter;
+const Parameter* Declarations::find(std::string_view key) const {
+  const auto found = std::ranges::find(*parameters_, key, &Parameter::key);
+  return found == parameters_->end() ? nullptr : &*found;
 }
 
 std::optional<Mistake> check_value(const Parameter& parameter, const ParameterValue& value, const std::string& place) {
-  switch (parameter.kind) {
+  switch (parameter.kind()) {
     case ParameterKind::real:
     case ParameterKind::integer:
       return check_number(parameter, value, place);
@@ -181,25 +166,34 @@ std::optional<Mistake> check_value(const Parameter& parameter, const ParameterVa
       break;
     case ParameterKind::curve:
       return check_curve(parameter, value, place);
+    case ParameterKind::bezier:
+      return check_bezier(parameter, value, place);
+    case ParameterKind::rows:
+      return check_rows(parameter, value, place);
   }
   return unacceptable(parameter, value, place);
 }
 
 ParameterValue parse_value(const Parameter& parameter, std::string_view text, const std::string& place) {
   ParameterValue value = std::string(text);
-  if (parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer) {
+  if (parameter.notation != nullptr) {
+    value = parameter.notation->parse(text, place);
+  } else if (parameter.kind() == ParameterKind::real || parameter.kind() == ParameterKind::integer) {
     if (const auto whole = number_from<std::int64_t>(text)) {
       value = *whole;
     } else if (const auto real = number_from<double>(text)) {
       value = *real;
     }
-  } else if (parameter.kind == ParameterKind::boolean) {
+  } else if (parameter.kind() == ParameterKind::boolean) {
     constexpr std::array<std::string_view, 3> yes{"true", "yes", "on"};
     constexpr std::array<std::string_view, 3> no{"false", "no", "off"};
     if (std::ranges::find(yes, text) != yes.end()) value = true;
     if (std::ranges::find(no, text) != no.end()) value = false;
-  } else if (parameter.kind == ParameterKind::curve) {
+  } else if (parameter.kind() == ParameterKind::curve) {
     if (auto curve = parse_vertices(text)) value = std::move(*curve);
+  } else if (parameter.kind() == ParameterKind::bezier) {
+    const auto points = parse_vertices(text);
+    if (points && points->vertices.size() == 2) value = BezierCurve{points->vertices[0], points->vertices[1]};
   }
   if (auto mistake = check_value(parameter, value, place)) throw InputError({std::move(*mistake)});
   return stored(parameter, std::move(value));
@@ -210,12 +204,19 @@ std::string value_text(const ParameterValue& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* curve = std::get_if<PiecewiseLinear>(&value)) return vertices_text(*curve);
+  if (const auto* bezier = std::get_if<BezierCurve>(&value)) return vertices_text({{bezier->first, bezier->second}});
+  if (const auto* list = std::get_if<RowList>(&value)) {
+    std::string text;
+    for (const ParameterValues& row : list->rows) text += (text.empty() ? "" : " ") + row_text(row);
+    return text;
+  }
   return std::get<std::string>(value);
 }
 
 std::string accepted_text(const Parameter& parameter) {
+  if (parameter.notation != nullptr) return parameter.notation->accepted;
   const std::string range = value_text(parameter.minimum) + " to " + value_text(parameter.maximum);
-  switch (parameter.kind) {
+  switch (parameter.kind()) {
     case ParameterKind::real:
       return range;
     case ParameterKind::integer:
@@ -226,8 +227,15 @@ std::string accepted_text(const Parameter& parameter) {
     case ParameterKind::path:
       return "the path of a file";
     case ParameterKind::curve:
-      return "2 to " + std::to_string(most_vertices) + " vertices x:y, x growing (" + parameter.across + ", " +
-             value_text(parameter.across_minimum) + " to " + value_text(parameter.across_maximum) + "), y " + range;
+      return "2 to " + std::to_string(most_vertices) + " vertices x:y, x growing (" + parameter.x_label + ", " +
+             value_text(parameter.x_minimum) + " to " + value_text(parameter.x_maximum) + "), y " + range;
+    case ParameterKind::bezier:
+      return "two control points, [[x, y], [x, y]], each number 0 to 1";
+    case ParameterKind::rows: {
+      const auto fewest = static_cast<std::int64_t>(parameter.minimum);
+      return "a list of " + parameter.row_name + "s, [{ ... }, { ... }], " + std::to_string(fewest) + " to " +
+             value_text(parameter.maximum) + " of them";
+    }
     case ParameterKind::choice:
       break;
   }
@@ -235,18 +243,14 @@ std::string accepted_text(const Parameter& parameter) {
 }
 
 std::string accepted_with_unit(const Parameter& parameter) {
-  return accepted_text(parameter) + (parameter.unit.empty() ? "" : " " + unit_text(parameter.unit));
+  const bool has_unit = !parameter.unit.empty() && parameter.notation == nullptr;
+  return accepted_text(parameter) + (has_unit ? " " + unit_text(parameter.unit) : "");
 }
 
-ParameterValues::ParameterValues(Parameters declared) : declared_(std::move(declared)) {
-  values_.reserve(declared_.size());
-  for (const Parameter& parameter : declared_) values_.push_back(parameter.standard);
+ParameterValues::ParameterValues(Declarations declared) : declared_(std::move(declared)) {
+  values_.reserve(declared_.all().size());
+  for (const Parameter& parameter : declared_) values_.push_back(parameter.default_value);
   set_.resize(values_.size());
-}
-
-const Parameter* ParameterValues::find(std::string_view key) const {
-  const auto found = std::ranges::find(declared_, key, &Parameter::key);
-  return found == declared_.end() ? nullptr : &*found;
 }
 
 void ParameterValues::set(std::string_view key, ParameterValue value) {
@@ -263,13 +267,15 @@ void ParameterValues::set(std::string_view key, ParameterValue value) {
 
 const ParameterValue& ParameterValues::value(std::string_view key) const { return values_[position(key)]; }
 
-bool ParameterValues::is_default(std::string_view key) const { return value(key) == declared_[position(key)].standard; }
+bool ParameterValues::is_default(std::string_view key) const {
+  return value(key) == declared()[position(key)].default_value;
+}
 
 bool ParameterValues::is_set(std::string_view key) const { return set_[position(key)]; }
 
 void ParameterValues::reset(std::string_view key) {
   const std::size_t place = position(key);
-  values_[place] = declared_[place].standard;
+  values_[place] = declared()[place].default_value;
   set_[place] = false;
 }
 
@@ -292,8 +298,14 @@ const PiecewiseLinear& ParameterValues::curve(std::string_view key) const {
   return std::get<PiecewiseLinear>(value(key));
 }
 
-bool ParameterValues::matters(const Parameter& parameter) const {
-  const std::vector<std::string>& condition = parameter.only_when;
+const BezierCurve& ParameterValues::bezier(std::string_view key) const { return std::get<BezierCurve>(value(key)); }
+
+const std::vector<ParameterValues>& ParameterValues::rows(std::string_view key) const {
+  return std::get<RowList>(value(key)).rows;
+}
+
+bool ParameterValues::is_active(const Parameter& parameter) const {
+  const std::vector<std::string>& condition = parameter.active_if;
   if (condition.empty()) return true;
   const std::string now = value_text(value(condition.front()));
   return std::find(condition.begin() + 1, condition.end(), now) != condition.end();
@@ -301,7 +313,7 @@ bool ParameterValues::matters(const Parameter& parameter) const {
 
 const Parameter* wanted_path(const ParameterValues& values) {
   for (const Parameter& parameter : values.declared()) {
-    if (parameter.kind == ParameterKind::path && values.matters(parameter)) return &parameter;
+    if (parameter.kind() == ParameterKind::path && values.is_active(parameter)) return &parameter;
   }
   return nullptr;
 }
@@ -309,7 +321,7 @@ const Parameter* wanted_path(const ParameterValues& values) {
 std::size_t ParameterValues::position(std::string_view key) const {
   const Parameter* parameter = find(key);
   if (parameter == nullptr) throw std::logic_error("undeclared parameter " + std::string(key));
-  return static_cast<std::size_t>(parameter - declared_.data());
+  return static_cast<std::size_t>(parameter - declared().data());
 }
 
 }  // namespace erg

@@ -4,75 +4,92 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "core/bezier.h"
 #include "core/errors.h"
 #include "core/piecewise_linear.h"
 
 namespace erg {
 
+class ParameterValues;
+struct Parameter;
+using Parameters = std::vector<Parameter>;
+
+/// A list of rows, each of them the values of the same declared columns.
+struct RowList {
+  std::vector<ParameterValues> rows;
+  bool operator==(const RowList& other) const;
+};
+
 /// A parameter's value. The alternative is the parameter's kind; a choice and a path are strings.
-using ParameterValue = std::variant<double, std::int64_t, bool, std::string, PiecewiseLinear>;
+using ParameterValue = std::variant<double, std::int64_t, bool, std::string, PiecewiseLinear, BezierCurve, RowList>;
 
 /// What a value may be: the alternatives of ParameterValue, whose strings are one of a list (choice) or name a file.
-enum class ParameterKind { real, integer, boolean, choice, path, curve };
+enum class ParameterKind { real, integer, boolean, choice, path, curve, bezier, rows };
 
-/// The declaration of one parameter.
+/// Another way in which people write a number: a bearing as a point of the compass.
+struct Notation {
+  const char* accepted = "";  ///< what is accepted, numbers too, for messages
+  /// Reads either; throws InputError with `place`.
+  double (*parse)(std::string_view text, const std::string& place) = nullptr;
+  /// The one number that is kept for all that mean the same.
+  double (*fold)(double number) = nullptr;
+};
+
+/// A table of declarations that never changes: made once, and shared by all values that stand under it.
+class Declarations {
+ public:
+  Declarations();
+  Declarations(Parameters parameters);
+  Declarations(std::initializer_list<Parameter> parameters);
+
+  operator const Parameters&() const { return *parameters_; }
+  const Parameters& all() const { return *parameters_; }
+  const Parameter* begin() const;
+  const Parameter* end() const;
+  /// The declaration with this key, or nullptr.
+  const Parameter* find(std::string_view key) const;
+
+ private:
+  std::shared_ptr<const Parameters> parameters_;
+};
+
+/// The declaration of one parameter, written with its members' names: what is left out is empty, or has no limit.
+///
+///   Parameter{.key = "p_sand", .label = "Deposition on sand", .default_value = 0.6, .minimum = 0, .maximum = 1, ...}
 struct Parameter {
-  std::string key;    ///< name in JSON and on the command line, snake_case
-  std::string label;  ///< name for people
-  std::string unit;   ///< "" for a pure number
-  ParameterKind kind = ParameterKind::real;
-  ParameterValue standard;  ///< default value, of the kind's alternative
-  double minimum = 0;       ///< for numbers: smallest value allowed; for curves: of y
-  double maximum = 0;       ///< for numbers: largest value allowed; for curves: of y
-  std::string across;       ///< for curves: what runs along x, with its unit
-  double across_minimum = 0;
-  double across_maximum = 0;
-  std::vector<std::string> choices;
-  std::string meaning;
-  std::string source;  ///< paper, equation or table; "" for our own
+  std::string key = {};    ///< name in JSON and on the command line, snake_case
+  std::string label = {};  ///< name for people
+  std::string unit = {};   ///< "" for a pure number
+  /// Its alternative is the parameter's kind: 1.0 is a real number, 1 a whole one.
+  ParameterValue default_value = 0.0;
+  double minimum = 0;                     ///< for numbers: smallest value allowed; for curves: of y; for rows: fewest
+  double maximum = 0;                     ///< for numbers: largest value allowed; for curves: of y; for rows: most
+  std::vector<std::string> choices = {};  ///< what a text may be; none: it is the path of a file
+  std::string x_label = {};               ///< for curves: what runs along x, with its unit
+  double x_minimum = 0;
+  double x_maximum = 1;
+  Declarations columns = {};           ///< for rows
+  std::string row_name = {};           ///< for rows: what people call one, "season"
+  const Notation* notation = nullptr;  ///< for real numbers: how else people write them; null: not
+  std::string meaning = {};
+  std::string source = {};  ///< paper, equation or table; "" for our own
   /// What a positive number under `minimum` is a sign of, for the message that refuses it; may be empty.
-  std::string too_small;
-  /// Only matters when the choice `key` (first) of the same group has one of the values (rest); empty: always.
-  std::vector<std::string> only_when;
+  std::string too_small = {};
+  /// Has an effect only when the choice `key` (first) of the same group has one of the values (rest); empty: always.
+  std::vector<std::string> active_if = {};
   /// Read only when the terrain is made: a change needs a new terrain. Others may change while a run goes on.
   bool at_start = false;
+
+  ParameterKind kind() const;
 };
-
-/// Makers, so that a declaration reads as one line of a table.
-Parameter real_parameter(std::string key, std::string label, std::string unit, double standard, double minimum,
-                         double maximum, std::string meaning, std::string source = {});
-Parameter integer_parameter(std::string key, std::string label, std::string unit, std::int64_t standard,
-                            std::int64_t minimum, std::int64_t maximum, std::string meaning, std::string source = {});
-Parameter boolean_parameter(std::string key, std::string label, bool standard, std::string meaning,
-                            std::string source = {});
-Parameter choice_parameter(std::string key, std::string label, std::string standard, std::vector<std::string> choices,
-                           std::string meaning, std::string source = {});
-Parameter path_parameter(std::string key, std::string label, std::string meaning);
-/// The same declaration with its `too_small`.
-Parameter with_hint(Parameter parameter, std::string too_small);
-/// The same declaration, marked as read only when the terrain is made.
-Parameter at_start(Parameter parameter);
-/// The same declaration with its `only_when`.
-Parameter only_when(Parameter parameter, std::vector<std::string> condition);
-
-/// Where a curve's x runs.
-struct CurveRange {
-  std::string across;  ///< what it is, with its unit
-  double minimum = 0;
-  double maximum = 1;
-};
-/// A function that people may redraw; `unit`, `minimum` and `maximum` are those of y.
-Parameter curve_parameter(std::string key, std::string label, std::string unit, PiecewiseLinear standard,
-                          CurveRange across, double minimum, double maximum, std::string meaning,
-                          std::string source = {});
-
-using Parameters = std::vector<Parameter>;
 
 /// What is wrong with `value` for this parameter (kind or range), or nothing. An integer value serves a real parameter.
 std::optional<Mistake> check_value(const Parameter& parameter, const ParameterValue& value, const std::string& place);
@@ -80,7 +97,7 @@ std::optional<Mistake> check_value(const Parameter& parameter, const ParameterVa
 /// Reads a value as a person types it ("0.6", "true", "flat"); throws InputError with `place`.
 ParameterValue parse_value(const Parameter& parameter, std::string_view text, const std::string& place);
 
-/// The value as a person would type it.
+/// The value as a person would type it; rows as [key=value, ...].
 std::string value_text(const ParameterValue& value);
 
 /// "0 to 1", "flat, random" ...: what a parameter accepts, for help and error messages.
@@ -92,11 +109,13 @@ std::string accepted_with_unit(const Parameter& parameter);
 class ParameterValues {
  public:
   ParameterValues() = default;
-  explicit ParameterValues(Parameters declared);
+  explicit ParameterValues(Declarations declared);
 
-  const Parameters& declared() const { return declared_; }
+  const Parameters& declared() const { return declared_.all(); }
+  /// The same, to be shared with other values.
+  const Declarations& declarations() const { return declared_; }
   /// The declaration with this key, or nullptr.
-  const Parameter* find(std::string_view key) const;
+  const Parameter* find(std::string_view key) const { return declared_.find(key); }
 
   /// Sets one value; throws InputError for an unknown key, a wrong kind or a value out of range.
   void set(std::string_view key, ParameterValue value);
@@ -117,21 +136,23 @@ class ParameterValues {
   bool boolean(std::string_view key) const;
   const std::string& text(std::string_view key) const;
   const PiecewiseLinear& curve(std::string_view key) const;
+  const BezierCurve& bezier(std::string_view key) const;
+  const std::vector<ParameterValues>& rows(std::string_view key) const;
 
-  /// Whether a parameter of these values matters: what its `only_when` asks for holds.
-  bool matters(const Parameter& parameter) const;
+  /// Whether a parameter has an effect with these values: what its `active_if` asks for holds.
+  bool is_active(const Parameter& parameter) const;
 
   bool operator==(const ParameterValues& other) const { return values_ == other.values_; }
 
  private:
   std::size_t position(std::string_view key) const;  // throws std::logic_error: asking for an undeclared key is a bug
 
-  Parameters declared_;
+  Declarations declared_;
   std::vector<ParameterValue> values_;
   std::vector<bool> set_;
 };
 
-/// The path parameter that matters, or nullptr.
+/// The active path parameter, or nullptr.
 const Parameter* wanted_path(const ParameterValues& values);
 
 }  // namespace erg

@@ -33,7 +33,9 @@ WindNow Regime::wind_at(std::int64_t step, const std::uint64_t* seed) const {
   }
   const double time = season->steps > 1 ? static_cast<double>(rest) / static_cast<double>(season->steps - 1) : 0.0;
   WindNow now{season->bearing, std::lerp(season->first, season->last, season->curve.at(time))};
-  now.snowfall = season->snowfall;
+  for (const Channel& channel : channels()) {
+    if (channel.of_season != nullptr) now.*channel.now = (*season).*channel.of_season;
+  }
   if (seed == nullptr || season->spread <= 0) return now;
   const std::int64_t blown = returns * season->steps + rest;
   const auto number = static_cast<std::size_t>(season - seasons.begin());

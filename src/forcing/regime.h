@@ -6,45 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/bezier.h"
-#include "core/units.h"
+#include "forcing/channels.h"
 
 namespace erg {
-
-/// One season: the wind blows from one bearing for `steps` time steps, and its strength goes from `first` to `last`
-/// along a curve. Strength is in cells per hop for slab models, m/s for the others. A real wind varies about its mean
-/// bearing: with a `spread` each draw of `hold` steps has a bearing of its own.
-struct Season {
-  double bearing = 270;  ///< degrees, where it blows from (the mean)
-  double first = 5;
-  double last = 5;
-  std::int64_t steps = 1;
-  BezierCurve curve;
-  double snowfall = 0;    ///< mm of snow an hour, for snow models
-  double spread = 0;      ///< standard deviation of the bearing from draw to draw, degrees
-  std::int64_t hold = 4;  ///< steps of the season for which a draw holds
-  bool operator==(const Season&) const = default;
-};
-
-/// The wind of one time step, and what comes with it.
-struct WindNow {
-  double bearing = 270;
-  double strength = 5;
-  double temperature = -10;  ///< deg C
-  double snowfall = 0;       ///< mm of snow an hour
-  double swing = 0;          ///< degrees by which `bearing` lies clockwise of the season's
-  /// The bearing about which the season's wind swings.
-  double mean_bearing() const { return fold_bearing(bearing - swing); }
-  bool operator==(const WindNow&) const = default;
-};
-
-/// Smallest and largest strength that a season may have (cells a hop, or m/s). 0 is a calm: time passes, nothing moves.
-inline constexpr double smallest_strength = 0;
-inline constexpr double largest_strength = 8192;
-/// The heaviest snowfall that a season may have, mm of snow an hour.
-inline constexpr double heaviest_snowfall = 200;
-/// The widest spread that a season may have, degrees.
-inline constexpr double widest_spread = 60;
 
 /// Draws in whose mean a season's wind has its bearing exactly.
 inline constexpr std::size_t draws_a_round = 16;

@@ -1,14 +1,14 @@
 // Every model, one line each. Adding a model: its two files and its line here.
 #include <utility>
 
-#include "models/bishop.h"
-#include "models/grains.h"
+#include "models/grains/grains.h"
 #include "models/model.h"
-#include "models/momiji.h"
-#include "models/nield_baas.h"
-#include "models/snow_packing.h"
-#include "models/snow_sintering.h"
-#include "models/werner.h"
+#include "models/slab/bishop.h"
+#include "models/slab/momiji.h"
+#include "models/slab/nield_baas.h"
+#include "models/slab/snow_packing.h"
+#include "models/slab/werner.h"
+#include "models/snow/snow_sintering.h"
 
 namespace erg {
 

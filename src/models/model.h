@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "compute/executor.h"
+#include "core/binding.h"
 #include "core/grain_path.h"
 #include "core/material.h"
 #include "core/parameters.h"
@@ -15,7 +17,7 @@
 #include "core/terrain.h"
 #include "forcing/regime.h"
 #include "models/model_start.h"
-#include "transport/executor.h"
+#include "models/step_report.h"
 
 namespace erg {
 
@@ -30,9 +32,9 @@ struct ModelInfo {
   std::string strength_label = {};     ///< what the wind's strength is: "hop length, cells"
   Material material = Material::sand;  ///< what it moves
   ModelStart start = {};               ///< the defaults of a config of this model
-  // What it asks for of the weather besides the wind. What it does not is not shown, and refused in a config.
-  bool asks_temperature = false;          ///< deg C over the run
-  bool asks_snowfall = false;             ///< of the wind's seasons, mm of snow an hour
+  /// Keys of the channels that it uses besides the wind (wind/channels.h). Others are not shown, and refused in a
+  /// config.
+  std::vector<std::string> channels = {};
   std::vector<std::string> painted = {};  ///< keys of the fields that people may paint
 };
 
@@ -46,7 +48,7 @@ struct StepScale {
 /// What the beginning of a run may need besides the terrain.
 struct Beginning {
   std::uint64_t seed = 0;
-  double temperature = -10;              ///< deg C
+  WindNow weather = {};                  ///< of the first step
   const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
 };
 
@@ -80,7 +82,8 @@ class Model {
 
   /// Numbers of the model's own, of the last step unless their label says otherwise.
   virtual std::vector<Reading> readings() const { return {}; }
-  /// From the next step on keeps the ways of about `count` of its grains; a model that moves no single grains has none.
+  /// From the next step on keeps the trajectories of about `count` of its grains; a model that moves no single grains
+  /// has none.
   virtual void keep_paths(int count) { static_cast<void>(count); }
   /// The ways kept in the last step. On a torus a way that crosses an edge goes on as another, so that no line jumps.
   virtual std::vector<GrainPath> paths() const { return {}; }
@@ -89,16 +92,47 @@ class Model {
 /// A kind of model: what the catalogue lists.
 struct ModelType {
   ModelInfo info;
-  Parameters parameters;
+  Declarations parameters;
   std::vector<FieldInfo> fields;
   /// Bytes a cell, at most, that a run keeps for this model besides terrain, fields and an executor's planes of slabs:
   /// a cover, a machine of its own. A run's need of memory is reckoned from it (sim/memory.h).
   std::uint64_t working_bytes;
   std::function<std::unique_ptr<Model>(const ParameterValues&)> make;
-  /// What the values mean in slabs and cells, in words for people ("repose 33.7 deg: a step of 3 slabs stands").
+  /// What the values mean in slabs and cells, in words for people ("repose 33.7°: a step of 3 slabs stands").
   std::function<std::vector<std::string>(const ParameterValues&, double cell_size)> explain;
   /// What a step stands for under a wind of this mean strength; null: steps have no time of their own.
   std::function<StepScale(const ParameterValues&, double cell_size, double mean_strength)> step_scale = {};
+};
+
+/// A kind of model in terms of the struct that its parameters are bound to; becomes a ModelType.
+template <typename Values>
+struct ModelOf {
+  ModelInfo info = {};
+  Binding<Values> parameters;
+  std::vector<FieldInfo> fields = {};
+  std::uint64_t working_bytes = 0;
+  std::function<std::unique_ptr<Model>(const Values&)> make = {};
+  std::function<std::vector<std::string>(const Values&, double cell_size)> explain = {};
+  std::function<StepScale(const Values&, double cell_size, double mean_strength)> step_scale = {};
+
+  operator ModelType() const {
+    ModelType type{
+        info,
+        parameters.declarations(),
+        fields,
+        working_bytes,
+        [bound = parameters, called = make](const ParameterValues& values) { return called(bound.read(values)); },
+        [bound = parameters, called = explain](const ParameterValues& values, double cell_size) {
+          return called(bound.read(values), cell_size);
+        }};
+    if (step_scale) {
+      type.step_scale = [bound = parameters, called = step_scale](const ParameterValues& values, double cell_size,
+                                                                  double mean_strength) {
+        return called(bound.read(values), cell_size, mean_strength);
+      };
+    }
+    return type;
+  }
 };
 
 /// Every model, in the order people should meet them (catalogue.cpp).

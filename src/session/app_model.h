@@ -127,7 +127,7 @@ class AppModel {
     Comparison comparison;
     std::size_t active = 0;
     std::filesystem::path file;
-    UnsavedWork kept;
+    UnsavedItem kept;
   };
 
   AppFolders folders_;
@@ -137,7 +137,7 @@ class AppModel {
   Comparison comparison_;
   std::size_t active_ = 0;
   std::filesystem::path file_;
-  UnsavedWork kept_;
+  UnsavedItem kept_;
   std::vector<sim::Config> handed_over_;  // what the runner was last given
   std::uint64_t creation_awaited_ = 0;    // the number of the command that makes what was asked for; 0: it is there
   std::optional<Before> before_opening_;

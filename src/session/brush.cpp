@@ -6,7 +6,7 @@
 
 #include "core/errors.h"
 #include "core/number_text.h"
-#include "transport/executor.h"
+#include "models/slab/terrain_heights.h"
 
 namespace erg::session {
 namespace {

@@ -54,11 +54,14 @@ std::vector<SetupDifference> Comparison::differences() const {
     if (!all_same(difference.values)) found.push_back(std::move(difference));
   };
   add("model", "Model", [](const Setup& setup) { return setup.model().info.title; });
-  add("temperature", "Temperature", [](const Setup& setup) -> std::string {
-    if (!setup.model().info.asks_temperature) return "-";
-    const Temperature& temperature = setup.config().temperature;
-    return value_text(temperature.first) + " to " + value_text(temperature.last) + " °C";
-  });
+  for (const Channel& channel : channels()) {
+    if (channel.over_run == nullptr) continue;  // all runs have the same seasons
+    add(channel.declared.key, channel.declared.label, [&channel](const Setup& setup) -> std::string {
+      if (!uses_channel(setup.model().info.channels, channel)) return "-";
+      const Course& course = setup.config().weather.*channel.over_run;
+      return value_text(course.first) + " to " + value_text(course.last) + " " + unit_text(channel.declared.unit);
+    });
+  }
   for (const sim::ConfigGroup& group : sim::config_groups()) {
     std::set<std::string> seen;
     for (const Setup& first : setups_) {
@@ -72,8 +75,9 @@ std::vector<SetupDifference> Comparison::differences() const {
   return found;
 }
 
-bool Comparison::asks_snowfall() const {
-  return std::ranges::any_of(setups_, [](const Setup& setup) { return setup.model().info.asks_snowfall; });
+bool Comparison::uses(const Channel& channel) const {
+  return std::ranges::any_of(setups_,
+                             [&](const Setup& setup) { return uses_channel(setup.model().info.channels, channel); });
 }
 
 Config Comparison::with_wind(Config config) const {

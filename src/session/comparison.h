@@ -39,8 +39,8 @@ class Comparison {
   /// One setup, this one.
   void set_only(Setup setup);
 
-  /// Whether any of the models, which share one wind, asks for the snowfall of its seasons.
-  bool asks_snowfall() const;
+  /// Whether any of the models, which share one wind, uses this channel.
+  bool uses(const Channel& channel) const;
   /// The wind of all.
   WindEditor wind() { return setups_.front().wind(); }
 

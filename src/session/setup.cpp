@@ -36,7 +36,7 @@ const ParameterValues* group_of(const Config& config, const std::string& key) {
 std::string SetupRow::tooltip() const {
   std::string text = parameter->meaning;
   text += "\nAccepts " + accepted_with_unit(*parameter);
-  text += "; default " + value_text(parameter->standard) + ".";
+  text += "; default " + value_text(parameter->default_value) + ".";
   if (!parameter->source.empty()) text += "\nSource: " + parameter->source + ".";
   text += needs_new_terrain ? "\nTakes effect with CREATE." : "\nTakes effect at the next step.";
   return text;
@@ -77,7 +77,7 @@ std::vector<SetupRow> Setup::rows(const std::string& group, const Config* runnin
     row.parameter = &parameter;
     row.value = values->value(parameter.key);
     row.changed = !values->is_default(parameter.key);
-    row.relevant = values->matters(parameter);
+    row.relevant = values->is_active(parameter);
     row.needs_new_terrain = parameter.at_start;
     row.pending = in_force != nullptr &&
                   (in_force->find(parameter.key) == nullptr || in_force->value(parameter.key) != row.value);
@@ -142,18 +142,15 @@ std::vector<Mistake> Setup::mistakes() const {
   return found;
 }
 
-std::optional<Mistake> Setup::set_temperatures(double first, double last) {
-  for (const double temperature : {first, last}) {
-    if (auto mistake = check_value(sim::temperature_parameter(), temperature, "temperature")) return mistake;
+std::optional<Mistake> Setup::set_course(const Channel& channel, const Course& course) {
+  try {
+    row_of(course, channel);
+  } catch (const InputError& error) {
+    Mistake mistake = error.mistakes().front();
+    mistake.place = channel.declared.key;
+    return mistake;
   }
-  config_.temperature.first = first;
-  config_.temperature.last = last;
-  return std::nullopt;
-}
-
-std::optional<Mistake> Setup::set_temperature_curve(const BezierCurve& curve) {
-  if (auto mistake = check_curve(curve, "temperature")) return mistake;
-  config_.temperature.curve = curve;
+  config_.weather.*channel.over_run = course;
   return std::nullopt;
 }
 
@@ -165,7 +162,7 @@ Config Setup::in_force_on(const Config& running) const {
   result.title = config_.title;
   result.description = config_.description;
   result.wind = config_.wind;
-  result.temperature = config_.temperature;
+  result.weather = config_.weather;
   for (const ConfigGroup& group : config_groups()) {
     for (const Parameter& parameter : (config_.*group.values).declared()) {
       if (parameter.at_start) continue;

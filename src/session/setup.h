@@ -22,7 +22,7 @@ struct SetupRow {
   const Parameter* parameter = nullptr;  ///< key, label, unit, range, meaning, source; lives as long as the setup
   ParameterValue value;
   bool changed = false;            ///< not at its default
-  bool relevant = true;            ///< false: has no effect with the other values as they are (only_when)
+  bool relevant = true;            ///< false: has no effect with the other values as they are (active_if)
   bool needs_new_terrain = false;  ///< a change takes effect with CREATE only
   bool pending = false;            ///< differs from what runs now
 
@@ -75,16 +75,14 @@ class Setup {
   /// The wind under edit.
   WindEditor wind() { return WindEditor(config_.wind, sim::starting_wind(model().info.start)); }
 
-  /// The temperature over the run (only snow models ask for it): first and last, deg C, and the curve between them, for
-  /// `run.steps` steps. Each says what is wrong, and then nothing has changed.
-  std::optional<Mistake> set_temperatures(double first, double last);
-  std::optional<Mistake> set_temperature_curve(const BezierCurve& curve);
+  /// A channel's course over the `run.steps` steps of the run. Says what is wrong, and then nothing has changed.
+  std::optional<Mistake> set_course(const Channel& channel, const Course& course);
 
   /// Whether CREATE draws a new seed each time.
   bool fresh_seed() const { return fresh_seed_; }
   void set_fresh_seed(bool fresh) { fresh_seed_ = fresh; }
 
-  /// What the values mean on the grid, in words of the model ("repose 33.7 deg: a step of 3 slabs stands").
+  /// What the values mean on the grid, in words of the model ("repose 33.7°: a step of 3 slabs stands").
   std::vector<std::string> explanations() const;
   /// What stands against CREATE: pictures that are missing. Each value by itself is always right.
   std::vector<Mistake> mistakes() const;

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "compute/executor.h"
 #include "core/terrain.h"
 #include "forcing/regime.h"
 #include "session/series.h"
 #include "session/wind_cycle.h"
 #include "sim/config.h"
 #include "sim/simulation.h"
-#include "transport/executor.h"
 
 namespace erg::session {
 

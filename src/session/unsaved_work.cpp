@@ -19,36 +19,36 @@ std::string name_of(const Config& config, std::size_t run, std::size_t runs) {
 
 }  // namespace
 
-void UnsavedWork::start_from(const std::filesystem::path& file, Config config) {
+void UnsavedItem::start_from(const std::filesystem::path& file, Config config) {
   files_.clear();
   setup_saved(file, std::move(config));
 }
 
-void UnsavedWork::setup_saved(const std::filesystem::path& file, Config config) {
+void UnsavedItem::setup_saved(const std::filesystem::path& file, Config config) {
   files_.insert_or_assign(file, std::move(config));
 }
 
-void UnsavedWork::terrain_saved(const Snapshot& snapshot, std::size_t run) {
+void UnsavedItem::terrain_saved(const Snapshot& snapshot, std::size_t run) {
   if (creation_ != snapshot.creations) terrains_.clear();
   creation_ = snapshot.creations;
   std::erase_if(terrains_, [run](const TerrainWork& terrain) { return terrain.run == run; });
   terrains_.push_back({run, snapshot.runs[run].last_stroke, snapshot.seconds_worked});
 }
 
-void UnsavedWork::recovered(const Snapshot& snapshot) { recovered_creation_ = snapshot.creations; }
+void UnsavedItem::recovered(const Snapshot& snapshot) { recovered_creation_ = snapshot.creations; }
 
-bool UnsavedWork::has(const Config& config) const {
+bool UnsavedItem::has(const Config& config) const {
   return std::ranges::any_of(files_, [&](const auto& file) { return file.second == config; });
 }
 
-const UnsavedWork::TerrainWork* UnsavedWork::kept_terrain(const Snapshot& snapshot, std::size_t run) const {
+const UnsavedItem::TerrainWork* UnsavedItem::kept_terrain(const Snapshot& snapshot, std::size_t run) const {
   if (creation_ != snapshot.creations) return nullptr;
   const auto found = std::ranges::find(terrains_, run, &TerrainWork::run);
   return found == terrains_.end() ? nullptr : &*found;
 }
 
 /// "" when it is none, or kept.
-std::string UnsavedWork::why_terrain_is_work(const Snapshot& snapshot, std::size_t run) const {
+std::string UnsavedItem::why_terrain_is_work(const Snapshot& snapshot, std::size_t run) const {
   const TerrainWork* const kept = kept_terrain(snapshot, run);
   // After a reset the terrain has cost less than what was kept of the one before it.
   const bool kept_this = kept != nullptr && kept->seconds_worked <= snapshot.seconds_worked;
@@ -60,7 +60,7 @@ std::string UnsavedWork::why_terrain_is_work(const Snapshot& snapshot, std::size
   return "has grown for " + std::to_string(std::lround(worked / 60)) + " minutes";
 }
 
-std::optional<UnsavedItem> UnsavedWork::missing_terrain(const Snapshot& snapshot) const {
+std::optional<UnsavedItem> UnsavedItem::missing_terrain(const Snapshot& snapshot) const {
   const std::size_t runs = snapshot.runs.size();
   for (std::size_t run = 0; run < runs; ++run) {
     const std::string why = why_terrain_is_work(snapshot, run);
@@ -72,7 +72,7 @@ std::optional<UnsavedItem> UnsavedWork::missing_terrain(const Snapshot& snapshot
   return std::nullopt;
 }
 
-std::optional<UnsavedItem> UnsavedWork::missing(const Comparison& comparison, const Snapshot& snapshot,
+std::optional<UnsavedItem> UnsavedItem::missing(const Comparison& comparison, const Snapshot& snapshot,
                                                 Leaves leaves) const {
   if (auto terrain = missing_terrain(snapshot); terrain || leaves == Leaves::terrain) return terrain;
   for (std::size_t run = 0; run < comparison.size(); ++run) {

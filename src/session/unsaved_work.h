@@ -29,7 +29,7 @@ enum class Leaves {
 
 /// Dunes that grew by themselves can be grown again from their setup, to the bit. So a terrain counts as work when it
 /// was painted on, when it was recovered after a crash, or when growing it again would take long.
-class UnsavedWork {
+class UnsavedItem {
  public:
   /// Steps that took this long together, in seconds, are worth a question.
   static constexpr double long_work = 300;

@@ -1,11 +1,9 @@
 #include "session/wind_editor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "forcing/bearing.h"
-#include "sim/config.h"
 
 namespace erg::session {
 namespace {
@@ -13,14 +11,6 @@ namespace {
 using Place = std::ptrdiff_t;
 
 std::string season_place(std::size_t index) { return "season " + std::to_string(index + 1); }
-
-bool in_unit_square(const CurvePoint& point) { return point.x >= 0 && point.x <= 1 && point.y >= 0 && point.y <= 1; }
-
-std::optional<Mistake> set_strength(double& held, double strength, const std::string& place) {
-  if (auto mistake = check_value(sim::strength_parameter(), strength, place)) return mistake;
-  held = strength;
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -33,6 +23,10 @@ std::size_t WindEditor::duplicate(std::size_t index) {
 std::size_t WindEditor::add() {
   regime_->seasons.push_back(standard());
   return regime_->seasons.size() - 1;
+}
+
+void WindEditor::replace(std::vector<Season> seasons) {
+  if (!seasons.empty()) regime_->seasons = std::move(seasons);
 }
 
 bool WindEditor::remove(std::size_t index) {
@@ -51,12 +45,19 @@ bool WindEditor::move_down(std::size_t index) { return index + 1 < seasons() && 
 
 void WindEditor::reset() { *regime_ = standard_; }
 
-std::optional<Mistake> WindEditor::set_bearing(std::size_t index, double degrees) {
-  if (!(std::abs(degrees) <= largest_bearing)) {
-    return Mistake{season_place(index), "this is no bearing", std::string("expected ") + accepted_bearings};
+std::optional<Mistake> WindEditor::set(std::size_t index, std::string_view key, const ParameterValue& value) {
+  try {
+    set_in_season(regime_->seasons.at(index), key, value);
+  } catch (const InputError& error) {
+    Mistake mistake = error.mistakes().front();
+    mistake.place = season_place(index);
+    return mistake;
   }
-  regime_->seasons.at(index).bearing = fold_bearing(degrees);
   return std::nullopt;
+}
+
+ParameterValue WindEditor::value(std::size_t index, std::string_view key) const {
+  return row_of(season(index), season_columns()).value(key);
 }
 
 std::optional<Mistake> WindEditor::set_bearing(std::size_t index, std::string_view text) {
@@ -65,49 +66,6 @@ std::optional<Mistake> WindEditor::set_bearing(std::size_t index, std::string_vi
   } catch (const InputError& error) {
     return error.mistakes().front();
   }
-  return std::nullopt;
-}
-
-std::optional<Mistake> WindEditor::set_first(std::size_t index, double strength) {
-  return set_strength(regime_->seasons.at(index).first, strength, season_place(index));
-}
-
-std::optional<Mistake> WindEditor::set_last(std::size_t index, double strength) {
-  return set_strength(regime_->seasons.at(index).last, strength, season_place(index));
-}
-
-std::optional<Mistake> WindEditor::set_steps(std::size_t index, std::int64_t steps) {
-  if (auto mistake = check_value(sim::season_steps_parameter(), steps, season_place(index))) return mistake;
-  regime_->seasons.at(index).steps = steps;
-  return std::nullopt;
-}
-
-std::optional<Mistake> WindEditor::set_spread(std::size_t index, double degrees) {
-  if (auto mistake = check_value(sim::season_spread_parameter(), degrees, season_place(index))) return mistake;
-  regime_->seasons.at(index).spread = degrees;
-  return std::nullopt;
-}
-
-std::optional<Mistake> WindEditor::set_hold(std::size_t index, std::int64_t steps) {
-  if (auto mistake = check_value(sim::season_hold_parameter(), steps, season_place(index))) return mistake;
-  regime_->seasons.at(index).hold = steps;
-  return std::nullopt;
-}
-
-std::optional<Mistake> WindEditor::set_snowfall(std::size_t index, double snowfall) {
-  if (auto mistake = check_value(sim::season_snowfall_parameter(), snowfall, season_place(index))) return mistake;
-  regime_->seasons.at(index).snowfall = snowfall;
-  return std::nullopt;
-}
-
-std::optional<Mistake> check_curve(const BezierCurve& curve, const std::string& place) {
-  if (in_unit_square(curve.first) && in_unit_square(curve.second)) return std::nullopt;
-  return Mistake{place, "a control point lies outside the curve's square", "expected x and y in 0 to 1"};
-}
-
-std::optional<Mistake> WindEditor::set_curve(std::size_t index, const BezierCurve& curve) {
-  if (auto mistake = check_curve(curve, season_place(index))) return mistake;
-  regime_->seasons.at(index).curve = curve;
   return std::nullopt;
 }
 

@@ -10,12 +10,10 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "forcing/channels.h"
 #include "forcing/regime.h"
 
 namespace erg::session {
-
-/// What is wrong with a curve that people bend: its control points must lie in the unit square.
-std::optional<Mistake> check_curve(const BezierCurve& curve, const std::string& place);
 
 /// Edits a regime where it stands. There is always at least one season; values outside their range are refused.
 class WindEditor {
@@ -33,6 +31,8 @@ class WindEditor {
   std::size_t duplicate(std::size_t index);
   /// A season at its defaults at the end; returns its index.
   std::size_t add();
+  /// Other seasons in their place; none: nothing changes.
+  void replace(std::vector<Season> seasons);
   /// Removes it; the last one that is left stays. False then.
   bool remove(std::size_t index);
   /// One place up (earlier) or down (later). False at the end of the list.
@@ -41,20 +41,24 @@ class WindEditor {
   /// One season at its defaults: a constant wind.
   void reset();
 
+  /// The declarations of a season's values; their defaults are those of `standard`.
+  Declarations columns() const { return season_columns(standard()); }
+  /// A season's value of one of them, but of the ends of its strength.
+  ParameterValue value(std::size_t index, std::string_view key) const;
+
   // Each says what is wrong with the value, and then nothing has changed.
-  std::optional<Mistake> set_bearing(std::size_t index, double degrees);
+  std::optional<Mistake> set(std::size_t index, std::string_view key, const ParameterValue& value);
+  std::optional<Mistake> set_bearing(std::size_t index, double degrees) { return set(index, "bearing", degrees); }
   /// "270", "W", "nne".
   std::optional<Mistake> set_bearing(std::size_t index, std::string_view text);
-  std::optional<Mistake> set_first(std::size_t index, double strength);
-  std::optional<Mistake> set_last(std::size_t index, double strength);
+  std::optional<Mistake> set_first(std::size_t index, double strength) { return set(index, "first", strength); }
+  std::optional<Mistake> set_last(std::size_t index, double strength) { return set(index, "last", strength); }
   /// How much the bearing swings, degrees, and for how many steps a draw holds.
-  std::optional<Mistake> set_spread(std::size_t index, double degrees);
-  std::optional<Mistake> set_hold(std::size_t index, std::int64_t steps);
-  /// mm of snow an hour, for snow models that let it fall.
-  std::optional<Mistake> set_snowfall(std::size_t index, double snowfall);
-  std::optional<Mistake> set_steps(std::size_t index, std::int64_t steps);
+  std::optional<Mistake> set_spread(std::size_t index, double degrees) { return set(index, "spread", degrees); }
+  std::optional<Mistake> set_hold(std::size_t index, std::int64_t steps) { return set(index, "hold", steps); }
+  std::optional<Mistake> set_steps(std::size_t index, std::int64_t steps) { return set(index, "steps", steps); }
   /// The strength curve's control points; both must lie in the unit square.
-  std::optional<Mistake> set_curve(std::size_t index, const BezierCurve& curve);
+  std::optional<Mistake> set_curve(std::size_t index, const BezierCurve& curve) { return set(index, "curve", curve); }
 
  private:
   Regime* regime_;

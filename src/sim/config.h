@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "core/parameters.h"
+#include "core/binding.h"
 #include "core/terrain.h"
+#include "forcing/channels.h"
 #include "forcing/regime.h"
-#include "forcing/temperature.h"
 #include "models/model.h"
 
 namespace erg::sim {
@@ -15,24 +15,21 @@ namespace erg::sim {
 /// The version of the config format that this program writes; it reads this one.
 inline constexpr int config_version = 1;
 
-/// The most steps of a run, and of a season.
-inline constexpr std::int64_t most_steps = 1'000'000'000;
-
 /// Declarations of the groups that are not a model's: their values stand under these keys in a config. Cell size and
 /// sand have the defaults of the model that the config is of.
 Parameters grid_parameters(const ModelStart& start = {});   ///< "grid": nx, ny, cell_size, boundary, inflow
 Parameters scene_parameters(const ModelStart& start = {});  ///< "scene": kind and what each kind needs
 Parameters run_parameters();                                ///< "run": steps, seed, executor, threads, sweeps
 
-/// Declarations of what a season of the wind holds besides its bearing and curve; the defaults of strength and spread
-/// are the model's.
-Parameter strength_parameter(const ModelStart& start = {});
-Parameter season_spread_parameter(const ModelStart& start = {});
-Parameter season_hold_parameter();
-Parameter season_steps_parameter();
-Parameter season_snowfall_parameter();
-/// Declaration of a temperature at either end of a run.
-Parameter temperature_parameter();
+/// The values of the group "run", for what works with them step by step: their declarations say what they mean.
+struct RunValues {
+  std::int64_t steps = 0;
+  std::uint64_t seed = 0;
+  std::string executor;
+  int threads = 0;
+  int sweeps = 16;
+};
+const Binding<RunValues>& run_binding();
 
 /// The wind that a config has where it says nothing: one season, with the model's strength and spread.
 Regime starting_wind(const ModelStart& start);
@@ -53,12 +50,12 @@ struct Config {
   ParameterValues run;
   ParameterValues parameters;  ///< the model's own
   Regime wind;
-  Temperature temperature;  ///< for models that ask for it
+  Weather weather;  ///< channels over the run, for models that use them
 
   bool operator==(const Config&) const = default;
 };
 
-/// What is said against a value of the weather that this model does not ask for (ModelInfo).
+/// What is said against a value of the weather that this model does not use (ModelInfo::channels).
 Mistake not_asked_for(const std::string& key, const std::string& model_key);
 
 /// The names of the parameter groups in a config, in the order of a file: grid, scene, parameters, run.
@@ -78,8 +75,9 @@ std::vector<std::string> model_keys();
 
 /// Sets one value from text, as `--set` does: "group.key=value" or "key=value" where the key is found in one group
 /// only; "model=...", "wind.bearing=...", "wind.strength=..." (both for one season only), "wind.spread=...",
-/// "wind.hold=..." (of every season), "temperature.first=...", "temperature.last=..." and "temperature=..." (both) too.
-/// Throws InputError.
+/// "wind.hold=..." (of every season), "wind.seasons[2].key=..." (of the second season), "temperature.first=...",
+/// "temperature.last=..." and "temperature=..." (both; so for every channel over the run) too. Of a list of rows in a
+/// group "group.list[2].key=...". Throws InputError.
 void set_from_text(Config& config, const std::string& assignment);
 
 }  // namespace erg::sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "forcing/bearing.h"
 #include "models/model.h"
@@ -24,39 +25,34 @@ std::optional<Mistake> group_mistake(const ConfigGroup& group, const ParameterVa
   return std::nullopt;
 }
 
-bool in_unit_square(const BezierCurve& curve) {
-  const auto inside = [](double number) { return number >= 0 && number <= 1; };
-  return inside(curve.first.x) && inside(curve.first.y) && inside(curve.second.x) && inside(curve.second.y);
-}
-
-std::optional<Mistake> wind_mistake(const Regime& wind) {
-  if (wind.seasons.empty()) return Mistake{"wind", "it has no season", "give at least one"};
-  const Parameter strength = strength_parameter();
-  const Parameter steps = season_steps_parameter();
-  const Parameter snowfall = season_snowfall_parameter();
-  const Parameter spread = season_spread_parameter();
-  const Parameter hold = season_hold_parameter();
-  for (const Season& season : wind.seasons) {
-    if (auto mistake = check_value(strength, season.first, "wind")) return mistake;
-    if (auto mistake = check_value(strength, season.last, "wind")) return mistake;
-    if (auto mistake = check_value(steps, season.steps, "wind")) return mistake;
-    if (auto mistake = check_value(snowfall, season.snowfall, "wind")) return mistake;
-    if (auto mistake = check_value(spread, season.spread, "wind")) return mistake;
-    if (auto mistake = check_value(hold, season.hold, "wind")) return mistake;
-    if (!(std::abs(season.bearing) <= largest_bearing)) {
-      return Mistake{"wind", "a bearing is " + value_text(season.bearing), "give degrees from 0 to 360"};
-    }
-    if (!in_unit_square(season.curve)) return Mistake{"wind", "a curve leaves the unit square", "keep it inside"};
+/// What a row of these values is refused for.
+std::optional<Mistake> row_mistake(const std::string& place, const std::function<void()>& make_row) {
+  try {
+    make_row();
+  } catch (const InputError& error) {
+    Mistake mistake = error.mistakes().front();
+    mistake.place = place;
+    return mistake;
   }
   return std::nullopt;
 }
 
-std::optional<Mistake> temperature_mistake(const Temperature& temperature) {
-  const Parameter parameter = temperature_parameter();
-  if (auto mistake = check_value(parameter, temperature.first, "temperature")) return mistake;
-  if (auto mistake = check_value(parameter, temperature.last, "temperature")) return mistake;
-  if (in_unit_square(temperature.curve)) return std::nullopt;
-  return Mistake{"temperature", "its curve leaves the unit square", "keep it inside"};
+std::optional<Mistake> wind_mistake(const Regime& wind) {
+  if (wind.seasons.empty()) return Mistake{"wind", "it has no season", "give at least one"};
+  const Declarations columns = season_columns();
+  for (const Season& season : wind.seasons) {
+    if (auto mistake = row_mistake("wind", [&] { row_of(season, columns); })) return mistake;
+  }
+  return std::nullopt;
+}
+
+std::optional<Mistake> weather_mistake(const Weather& weather) {
+  for (const Channel& channel : channels()) {
+    if (channel.over_run == nullptr) continue;
+    const auto make_row = [&] { row_of(weather.*channel.over_run, channel); };
+    if (auto mistake = row_mistake(channel.declared.key, make_row)) return mistake;
+  }
+  return std::nullopt;
 }
 
 Extent grid_of(const Config& config) {
@@ -113,7 +109,7 @@ void check_config(const Config& config) {
     }
   }
   if (auto mistake = wind_mistake(config.wind)) throw InputError({std::move(*mistake)});
-  if (auto mistake = temperature_mistake(config.temperature)) throw InputError({std::move(*mistake)});
+  if (auto mistake = weather_mistake(config.weather)) throw InputError({std::move(*mistake)});
 }
 
 std::optional<std::string> terrain_problem(const Config& config, double quantum, const Terrain& terrain,

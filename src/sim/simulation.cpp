@@ -4,16 +4,17 @@
 #include <utility>
 #include <vector>
 
+#include "sim/make_executor.h"
 #include "sim/run_check.h"
 
 namespace erg::sim {
 namespace {
 
-ExecutorOptions executor_options(const ParameterValues& run) {
+ExecutorOptions executor_options(const RunValues& run) {
   ExecutorOptions options;
-  options.name = run.text("executor");
-  options.threads = static_cast<int>(run.integer("threads"));
-  options.sweeps = static_cast<int>(run.integer("sweeps"));
+  options.name = run.executor;
+  options.threads = run.threads;
+  options.sweeps = run.sweeps;
   return options;
 }
 
@@ -47,24 +48,28 @@ Simulation::Simulation(Config config, RunState state) : config_(std::move(config
 
 void Simulation::begin_model(const HeightPicture* picture) {
   Grid<float> resampled;
-  model_->prepare({static_cast<std::uint64_t>(config_.run.integer("seed")), weather(0).temperature,
-                   picture != nullptr ? &on_grid(*picture, state_.terrain.extent(), resampled) : nullptr});
+  model_->prepare(
+      {run_.seed, weather(0), picture != nullptr ? &on_grid(*picture, state_.terrain.extent(), resampled) : nullptr});
   model_->begin(state_.terrain);
 }
 
 void Simulation::start() {
   check_config(config_);
   type_ = &find_model(config_.model);
+  run_ = run_binding().read(config_.run);
   model_ = type_->make(config_.parameters);
-  executor_ = make_executor(executor_options(config_.run));
+  executor_ = make_executor(executor_options(run_));
 }
 
 WindNow Simulation::last_wind() const { return weather(std::max<std::int64_t>(0, state_.step - 1)); }
 
 WindNow Simulation::weather(std::int64_t step) const {
-  WindNow now = config_.wind.at(step, static_cast<std::uint64_t>(config_.run.integer("seed")));
-  const std::int64_t last = config_.run.integer("steps") - 1;
-  now.temperature = config_.temperature.at(last > 0 ? static_cast<double>(step) / static_cast<double>(last) : 0.0);
+  WindNow now = config_.wind.at(step, run_.seed);
+  const std::int64_t last = run_.steps - 1;
+  const double past = last > 0 ? static_cast<double>(step) / static_cast<double>(last) : 0.0;
+  for (const Channel& channel : channels()) {
+    if (channel.over_run != nullptr) now.*channel.now = (config_.weather.*channel.over_run).at(past);
+  }
   return now;
 }
 
@@ -77,7 +82,7 @@ StepReport Simulation::step() {
     }
     edited_ = false;
   }
-  const StepKey key{static_cast<std::uint64_t>(config_.run.integer("seed")), static_cast<std::uint64_t>(state_.step)};
+  const StepKey key{run_.seed, static_cast<std::uint64_t>(state_.step)};
   const StepReport report = model_->step(state_.terrain, wind(), key, *executor_);
   state_.totals += report;
   ++state_.step;
@@ -97,12 +102,12 @@ void Simulation::watch_flux(bool wanted) {
 }
 
 const Terrain& Simulation::terrain() {
-  executor_->settle(state_.terrain);
+  executor_->sync_to_host(state_.terrain);
   return state_.terrain;
 }
 
 Terrain& Simulation::edit_terrain() {
-  executor_->settle(state_.terrain);
+  executor_->sync_to_host(state_.terrain);
   edited_ = true;
   return state_.terrain;
 }
@@ -133,11 +138,12 @@ void Simulation::change(Config config) {
   }
   std::unique_ptr<Model> model = type_->make(config.parameters);
   // The executor stays unless it is what changes: threads and memory of its own take longer than a step.
-  const ExecutorOptions options = executor_options(config.run);
+  const ExecutorOptions options = executor_options(run_binding().read(config.run));
   std::unique_ptr<Executor> other;
-  if (options != executor_options(config_.run)) other = make_executor(options);
-  executor_->settle(state_.terrain);
+  if (options != executor_options(run_)) other = make_executor(options);
+  executor_->sync_to_host(state_.terrain);
   config_ = std::move(config);
+  run_ = run_binding().read(config_.run);
   model_ = std::move(model);
   if (other) {
     executor_ = std::move(other);
@@ -154,7 +160,7 @@ void Simulation::wake() {
 }
 
 const RunState& Simulation::state() {
-  executor_->settle(state_.terrain);
+  executor_->sync_to_host(state_.terrain);
   return state_;
 }
 

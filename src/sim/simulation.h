@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <memory>
 
+#include "compute/executor.h"
 #include "core/terrain.h"
 #include "models/model.h"
 #include "sim/config.h"
 #include "sim/flux_watch.h"
 #include "sim/scene.h"
-#include "transport/executor.h"
 
 namespace erg::sim {
 
@@ -77,6 +77,7 @@ class Simulation {
   void check_edit() const;
 
   Config config_;
+  RunValues run_;  // of the config
   const ModelType* type_ = nullptr;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Executor> executor_;

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "../laws/world.h"
-#include "cuda/cuda_executor.h"
+#include "cuda/cuda_backend.h"
+#include "sim/make_executor.h"
 
 namespace erg::test {
 
@@ -36,7 +37,7 @@ inline std::vector<Case> slab_cases() {
   const std::string eight = "8";
   for (const ModelType& model : catalogue()) {
     const std::string key = model.info.key;
-    if (!World{.model = key}.moves_slabs()) continue;  // others only use for_pieces
+    if (!World{.model = key}.moves_slabs()) continue;  // others only use parallel_for
     all.push_back({key, {.model = key, .extent = {70, 45}}});
     all.push_back({key + ", 8 neighbours",
                    {.model = key, .extent = {45, 70}, .wind = {180, 3}, .settings = {{"neighbours", eight}}}});
@@ -117,7 +118,7 @@ inline CaseEnd run_on(Executor& executor, const Case& scene) {
     const StepKey key{scene.world.seed, static_cast<std::uint64_t>(step)};
     ending.report += model->step(ending.terrain, scene.wind(step), key, executor);
   }
-  executor.settle(ending.terrain);
+  executor.sync_to_host(ending.terrain);
   executor.count_lifts(nullptr);
   ending.readings = model->readings();
   const auto lifts = ending.lifts.cells();
@@ -127,10 +128,10 @@ inline CaseEnd run_on(Executor& executor, const Case& scene) {
 }
 
 /// Terrain with its fields, ledger, lifts, reports and readings of a run on `executor` are those of a run on `cpu`.
-inline void expect_same_as_threads(const Case& scene, CudaExecutor& executor) {
-  const CaseEnd theirs = run_on(*make_executor(scene.options()), scene);
+inline void expect_same_as_threads(const Case& scene, Executor& executor, const std::string& name = "cuda") {
+  const CaseEnd theirs = run_on(*sim::make_executor(scene.options()), scene);
   const CaseEnd ours = run_on(executor, scene);
-  EXPECT_EQ(executor.name(), "cuda") << executor.take_notice();
+  EXPECT_EQ(executor.name(), name) << executor.take_notice();
   EXPECT_NE(state_hash(theirs.terrain), state_hash(ground(scene))) << scene.name;
   EXPECT_TRUE(ours.terrain.mobile() == theirs.terrain.mobile()) << scene.name;
   for (std::size_t k = 0; k < theirs.terrain.fields().size(); ++k) {

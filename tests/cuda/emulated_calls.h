@@ -2,6 +2,7 @@
 // shuffled order. Any call can be made to fail.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -12,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "cuda/device_calls.h"
-#include "cuda/kernel_table.h"
+#include "core/random.h"
+#include "cuda/cuda_backend.h"
 
 namespace erg::test {
 
@@ -41,9 +42,9 @@ inline constexpr int out_of_memory = 2;
 inline constexpr int broken = 719;
 inline constexpr int wrong_use = 1;
 
-class EmulatedCalls : public DeviceCalls {
+class EmulatedApi : public CudaApi {
  public:
-  explicit EmulatedCalls(std::shared_ptr<Card> card) : card_(std::move(card)) {}
+  explicit EmulatedApi(std::shared_ptr<Card> card) : card_(std::move(card)) {}
 
   Status count_devices(int& count) override {
     count = card_->devices;
@@ -109,17 +110,11 @@ class EmulatedCalls : public DeviceCalls {
     std::memset(device, byte, bytes);
     return 0;
   }
-  Status launch(DeviceKernel kernel, int blocks, const DevicePlan& plan, void*) override {
-    return start(emulated::kernel_of(kernel), blocks, plan);
-  }
-  Status launch(LayerKernel kernel, int blocks, const LayerPlan& plan, void*) override {
-    return start(emulated::kernel_of(kernel), blocks, plan);
-  }
-  Status launch(SnowKernel kernel, int blocks, const SnowPlan& plan, void*) override {
-    return start(emulated::kernel_of(kernel), blocks, plan);
-  }
-  Status launch(GrainKernel kernel, int blocks, const GrainPlan& plan, void*) override {
-    return start(emulated::kernel_of(kernel), blocks, plan);
+  Status launch(const void* entry, int blocks, const void* plan, void*) override {
+    if (const Status status = take("launch"); status != 0) return status;
+    run(*static_cast<const Kernel*>(entry), std::min(blocks * device_block / card_->block + 1, card_->most_blocks),
+        plan);
+    return 0;
   }
 
  private:
@@ -161,27 +156,18 @@ class EmulatedCalls : public DeviceCalls {
     return order;
   }
 
-  template <typename Plan>
-  Status start(void (*kernel)(Plan), int blocks, const Plan& plan) {
-    if (const Status status = take("launch"); status != 0) return status;
-    run(kernel, std::min(blocks * device_block / card_->block + 1, card_->most_blocks), plan);
-    return 0;
-  }
-
   /// Every thread of the launch once: blocks in shuffled order, shared out over real threads; within a block shuffled.
-  template <typename Plan>
-  void run(void (*kernel)(Plan), int blocks, const Plan& plan) {
+  void run(const Kernel& kernel, int blocks, const void* plan) {
     const std::uint64_t word = mix64(card_->shuffle + static_cast<std::uint64_t>(card_->calls));
     const std::vector<int> block_order = shuffled(blocks, word);
+    const std::vector<std::byte> given(static_cast<const std::byte*>(plan),
+                                       static_cast<const std::byte*>(plan) + kernel.plan_bytes);  // by value
     const auto serve = [&](int member) {
-      gridDim.x = static_cast<unsigned>(blocks);
-      blockDim.x = static_cast<unsigned>(card_->block);
       for (std::size_t k = static_cast<std::size_t>(member); k < block_order.size();
            k += static_cast<std::size_t>(card_->threads)) {
-        blockIdx.x = static_cast<unsigned>(block_order[k]);
-        for (const int thread : shuffled(card_->block, word ^ blockIdx.x)) {
-          threadIdx.x = static_cast<unsigned>(thread);
-          kernel(plan);
+        const int block = block_order[k];
+        for (const int thread : shuffled(card_->block, word ^ static_cast<std::uint64_t>(block))) {
+          kernel.run(given.data(), {block * card_->block + thread, blocks * card_->block});
         }
       }
     };
@@ -193,5 +179,17 @@ class EmulatedCalls : public DeviceCalls {
 
   std::shared_ptr<Card> card_;
 };
+
+/// On this card a kernel is its own entry.
+inline const void* emulated_entry(const Kernel& kernel) { return &kernel; }
+
+inline std::unique_ptr<CudaBackend> emulated_backend(const std::shared_ptr<Card>& card) {
+  return std::make_unique<CudaBackend>(std::make_unique<EmulatedApi>(card), emulated_entry);
+}
+
+/// The executor "cuda" on an emulated card.
+inline std::unique_ptr<Executor> emulated_executor(const ExecutorOptions& options, const std::shared_ptr<Card>& card) {
+  return make_cuda_executor(options, std::make_unique<EmulatedApi>(card), emulated_entry);
+}
 
 }  // namespace erg::test

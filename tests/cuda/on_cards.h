@@ -9,6 +9,15 @@
 
 namespace erg::test {
 
+/// Kernels as plain loops on two threads of the processor, instead of what a family does there else, give the bits of
+/// `cpu`.
+inline void expect_same_as_loops(const std::vector<Case>& scenes) {
+  for (const Case& scene : scenes) {
+    Executor executor(scene.options(), std::make_unique<CpuBackend>(2));
+    expect_same_as_threads(scene, executor, "cpu");
+  }
+}
+
 /// Blocks and threads of the kernels come in two orders, on one thread and on two, in blocks of two sizes; each gives
 /// the bits of `cpu`.
 inline void expect_same_on_cards(const std::vector<Case>& scenes) {
@@ -18,8 +27,8 @@ inline void expect_same_on_cards(const std::vector<Case>& scenes) {
       card->shuffle = shuffle;
       card->threads = static_cast<int>(shuffle);
       card->block = shuffle == 1 ? 64 : 33;
-      CudaExecutor executor(scene.options(), std::make_unique<EmulatedCalls>(card));
-      expect_same_as_threads(scene, executor);
+      const auto executor = emulated_executor(scene.options(), card);
+      expect_same_as_threads(scene, *executor);
     }
   }
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "../laws/world.h"
-#include "cuda/cuda_executor.h"
+#include "cuda/cuda_backend.h"
 #include "emulated_calls.h"
 
 namespace erg::test {
@@ -30,7 +30,7 @@ struct StoryEnd {
   }
   /// The last of it.
   void close(Executor& machine, Terrain& terrain) {
-    machine.settle(terrain);
+    machine.sync_to_host(terrain);
     hear(machine);
     hash = state_hash(terrain);
     ledger = terrain.ledger();
@@ -42,13 +42,13 @@ struct StoryEnd {
 using Story = std::function<StoryEnd(Executor&)>;
 
 inline StoryEnd told_by_cpu(const Story& story) {
-  ParallelExecutor executor(two_sweeps);
+  Executor executor(two_sweeps);
   return story(executor);
 }
 
 inline StoryEnd told_by(const Story& story, const std::shared_ptr<Card>& card) {
-  CudaExecutor executor(two_sweeps, std::make_unique<EmulatedCalls>(card));
-  return story(executor);
+  const auto executor = emulated_executor(two_sweeps, card);
+  return story(*executor);
 }
 
 inline void expect_all_freed(const Card& card) {

@@ -2,8 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "cases.h"
-#include "cuda/cuda_executor.h"
+#include "cuda/cuda_backend.h"
 #include "grain_cases.h"
+#include "sim/cuda_entries.h"
 #include "snow_cases.h"
 
 namespace erg::test {
@@ -13,15 +14,15 @@ namespace {
 class CudaDevice : public testing::Test {
  protected:
   void SetUp() override {
-    CudaExecutor executor({.name = "cuda", .threads = 1}, cuda_calls());
-    if (executor.name() != "cuda") GTEST_SKIP() << executor.take_notice();
+    const auto executor = make_cuda_executor({.name = "cuda", .threads = 1}, cuda_api(), cuda_entry);
+    if (executor->name() != "cuda") GTEST_SKIP() << executor->take_notice();
   }
 };
 
 TEST_F(CudaDevice, GivesTheSameBitsAsThreads) {
   for (const Case& scene : slab_cases()) {
-    CudaExecutor executor(scene.options(), cuda_calls());
-    expect_same_as_threads(scene, executor);
+    const auto executor = make_cuda_executor(scene.options(), cuda_api(), cuda_entry);
+    expect_same_as_threads(scene, *executor);
   }
 }
 
@@ -30,8 +31,8 @@ TEST_F(CudaDevice, GivesTheSameBitsOnDevelopedDunes) {
     if (!World{.model = model.info.key}.moves_slabs()) continue;
     for (const double bearing : {270.0, 240.0, 225.0}) {
       const Case scene{model.info.key, {.model = model.info.key, .extent = {700, 520}, .wind = {bearing, 5}}, 0, 60};
-      CudaExecutor executor(scene.options(), cuda_calls());
-      expect_same_as_threads(scene, executor);
+      const auto executor = make_cuda_executor(scene.options(), cuda_api(), cuda_entry);
+      expect_same_as_threads(scene, *executor);
     }
   }
 }
@@ -40,8 +41,8 @@ TEST_F(CudaDevice, GivesTheSameBitsForGrains) {
   std::vector<Case> scenes = grain_cases();
   scenes.push_back({"large", {.model = "grains", .extent = {517, 390}, .wind = {240, 7}, .sand = 40}, 1000, 8});
   for (const Case& scene : scenes) {
-    CudaExecutor executor(scene.options(), cuda_calls());
-    expect_same_as_threads(scene, executor);
+    const auto executor = make_cuda_executor(scene.options(), cuda_api(), cuda_entry);
+    expect_same_as_threads(scene, *executor);
   }
 }
 
@@ -57,8 +58,8 @@ TEST_F(CudaDevice, GivesTheSameBitsForSnow) {
     scenes.push_back(large);
   }
   for (const Case& scene : scenes) {
-    CudaExecutor executor(scene.options(), cuda_calls());
-    expect_same_as_threads(scene, executor);
+    const auto executor = make_cuda_executor(scene.options(), cuda_api(), cuda_entry);
+    expect_same_as_threads(scene, *executor);
   }
 }
 

@@ -26,8 +26,8 @@ StoryEnd slab_story(Executor& executor) {
     if (step % 2 == 0) cover.edit().fill(static_cast<std::uint8_t>(20 * (step / 2)));
     law.cover = &cover;
     const WindNow wind{step < 3 ? 270.0 : 10.0, 3};
-    executor.step(terrain, law, wind, {world.seed, static_cast<std::uint64_t>(step)});
-    if (step == 3) executor.settle(terrain);
+    move_slabs(executor, terrain, law, wind, {world.seed, static_cast<std::uint64_t>(step)});
+    if (step == 3) executor.sync_to_host(terrain);
     end.hear(executor);
   }
   end.close(executor, terrain);
@@ -42,19 +42,19 @@ TEST(CudaExecutor, WhicheverCallFailsTheProcessorGoesOnFromTheSameState) {
 TEST(CudaExecutor, SaysWhyThereIsNoDevice) {
   const auto none = std::make_shared<Card>();
   none->devices = 0;
-  CudaExecutor without(two_sweeps, std::make_unique<EmulatedCalls>(none));
-  EXPECT_EQ(without.name(), "cpu");
-  EXPECT_EQ(without.take_notice(), "cuda: there is no CUDA device; computing on the processor");
-  EXPECT_EQ(without.take_notice(), "");
+  const auto without = emulated_executor(two_sweeps, none);
+  EXPECT_EQ(without->name(), "cpu");
+  EXPECT_EQ(without->take_notice(), "cuda: there is no CUDA device; computing on the processor");
+  EXPECT_EQ(without->take_notice(), "");
 
-  CudaExecutor not_built(two_sweeps, nullptr);
-  EXPECT_EQ(not_built.take_notice(), "cuda: this program was built without CUDA; computing on the processor");
+  const auto not_built = make_cuda_executor(two_sweeps, nullptr, emulated_entry);
+  EXPECT_EQ(not_built->take_notice(), "cuda: this program was built without CUDA; computing on the processor");
 
   const auto old_driver = std::make_shared<Card>();
   old_driver->fail_at = 0;
   old_driver->fail_kind = "count";
-  CudaExecutor refused(two_sweeps, std::make_unique<EmulatedCalls>(old_driver));
-  EXPECT_EQ(refused.take_notice(),
+  const auto refused = emulated_executor(two_sweeps, old_driver);
+  EXPECT_EQ(refused->take_notice(),
             "cuda: unspecified launch failure (while looking for a device); computing on the processor");
 }
 
@@ -72,20 +72,20 @@ TEST(CudaExecutor, KeepsTheTerrainOnTheDeviceBetweenSteps) {
   World world = small_world();
   world.model = "werner";
   const auto card = std::make_shared<Card>();
-  CudaExecutor executor(two_sweeps, std::make_unique<EmulatedCalls>(card));
+  const auto executor = emulated_executor(two_sweeps, card);
   Terrain terrain = world.strewn();
   const std::uint64_t before = state_hash(terrain);
   const auto made = find_model(world.model).make(world.values());
-  made->step(terrain, world.wind, {world.seed, 0}, executor);
+  made->step(terrain, world.wind, {world.seed, 0}, *executor);
   const long long copies = card->of_kind["copy"];
   const long long allocated = card->of_kind["allocate"];
-  for (std::uint64_t step = 1; step <= 5; ++step) made->step(terrain, world.wind, {world.seed, step}, executor);
+  for (std::uint64_t step = 1; step <= 5; ++step) made->step(terrain, world.wind, {world.seed, step}, *executor);
   EXPECT_EQ(card->of_kind["copy"], copies + 5) << "one copy a step: the counts";
   EXPECT_EQ(card->of_kind["allocate"], allocated);
   EXPECT_EQ(state_hash(terrain), before) << "stale until it is asked for";
-  executor.settle(terrain);
+  executor->sync_to_host(terrain);
   EXPECT_EQ(card->of_kind["copy"], copies + 7) << "which bands have changed, and the one band that this terrain has";
-  executor.settle(terrain);
+  executor->sync_to_host(terrain);
   EXPECT_EQ(card->of_kind["copy"], copies + 7) << "nothing was done since";
   EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
 }
@@ -93,15 +93,15 @@ TEST(CudaExecutor, KeepsTheTerrainOnTheDeviceBetweenSteps) {
 TEST(CudaExecutor, BringsBackOnlyBandsThatHaveChanged) {
   World world{.extent = {256, 64}};  // four bands of 16 rows
   const auto card = std::make_shared<Card>();
-  CudaExecutor executor(two_sweeps, std::make_unique<EmulatedCalls>(card));
+  const auto executor = emulated_executor(two_sweeps, card);
   Terrain terrain(world.extent, 1, world.quantum());
   for (int x = 0; x < 20; ++x) terrain.edit_mobile()(100 + x, 40) = 5;  // in the third
   terrain.open_ledger();
   Terrain beside = terrain;
   const auto made = find_model(world.model).make(world.values());
-  made->step(terrain, world.wind, {world.seed, 0}, executor);
+  made->step(terrain, world.wind, {world.seed, 0}, *executor);
   const std::size_t bytes = card->bytes_out;
-  executor.settle(terrain);
+  executor->sync_to_host(terrain);
   EXPECT_EQ(card->bytes_out - bytes, 4u * 4 + 256 * 16 * 4);
   world.run(beside, two_sweeps, 1);
   EXPECT_EQ(state_hash(terrain), state_hash(beside));
@@ -109,10 +109,10 @@ TEST(CudaExecutor, BringsBackOnlyBandsThatHaveChanged) {
 
 TEST(CudaExecutor, LoadsAnewWhatWasEdited) {
   const World world{.extent = {20, 20}};
-  CudaExecutor cuda(two_sweeps, std::make_unique<EmulatedCalls>(std::make_shared<Card>()));
-  ParallelExecutor cpu(two_sweeps);
+  const auto cuda = emulated_executor(two_sweeps, std::make_shared<Card>());
+  Executor cpu(two_sweeps);
   std::vector<std::uint64_t> hashes;
-  for (Executor* executor : {static_cast<Executor*>(&cuda), static_cast<Executor*>(&cpu)}) {
+  for (Executor* executor : {cuda.get(), &cpu}) {
     Terrain terrain = world.strewn();
     world.run(terrain, *executor, 2);
     terrain.edit_mobile()(5, 5) += 30;
@@ -124,18 +124,18 @@ TEST(CudaExecutor, LoadsAnewWhatWasEdited) {
 
 TEST(CudaExecutor, TakesALargerTerrainWithCoverAfterASmallerOne) {
   const auto card = std::make_shared<Card>();
-  CudaExecutor cuda(two_sweeps, std::make_unique<EmulatedCalls>(card));
-  ParallelExecutor cpu(two_sweeps);
+  const auto cuda = emulated_executor(two_sweeps, card);
+  Executor cpu(two_sweeps);
   std::list<Terrain> terrains;  // all alive, or one may come to lie where another was
   for (const Extent extent : {Extent{12, 9}, Extent{31, 20}}) {
     const Cover cover{CoverField(extent, 100)};
     std::vector<std::uint64_t> hashes;
-    for (Executor* executor : {static_cast<Executor*>(&cuda), static_cast<Executor*>(&cpu)}) {
+    for (Executor* executor : {cuda.get(), &cpu}) {
       Terrain& terrain = terrains.emplace_back(World{.extent = extent}.strewn());
       SlabLaw law;
       law.cover = &cover;
-      executor->step(terrain, law, {270, 3}, {1, 0});
-      executor->settle(terrain);
+      move_slabs(*executor, terrain, law, {270, 3}, {1, 0});
+      executor->sync_to_host(terrain);
       hashes.push_back(state_hash(terrain));
     }
     EXPECT_EQ(hashes[0], hashes[1]);
@@ -147,16 +147,16 @@ TEST(CudaExecutor, TakesALargerTerrainWithCoverAfterASmallerOne) {
 
 TEST(CudaExecutor, CopiesTerrainsThatTakeSeveralPieces) {
   const auto card = std::make_shared<Card>();
-  Device device(std::make_unique<EmulatedCalls>(card));
-  const std::size_t bytes = 2 * Device::piece_bytes + 12;
-  DeviceArray<std::byte> memory(device, bytes);
+  const auto device = emulated_backend(card);
+  const std::size_t bytes = 2 * CudaBackend::piece_bytes + 12;
+  Buffer<std::byte> memory(*device, bytes);
   const auto value = [](std::size_t k) { return static_cast<std::byte>(mix64(k) & 0xff); };
-  device.copy_in(memory.data(), bytes, [&](std::byte* target, std::size_t first, std::size_t count) {
+  device->copy_in(memory.data(), bytes, [&](std::byte* target, std::size_t first, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) target[k] = value(first + k);
   });
   std::size_t read = 0;
   bool same = true;
-  device.copy_out(memory.data(), bytes, [&](const std::byte* source, std::size_t first, std::size_t count) {
+  device->copy_out(memory.data(), bytes, [&](const std::byte* source, std::size_t first, std::size_t count) {
     EXPECT_EQ(first, read);
     for (std::size_t k = 0; k < count; ++k) same = same && source[k] == value(first + k);
     read += count;

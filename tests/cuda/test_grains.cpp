@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "grain_cases.h"
-#include "models/grains.h"
+#include "models/grains/grains.h"
 #include "on_cards.h"
 #include "stories.h"
 
@@ -21,8 +21,8 @@ TEST(CudaGrains, SeeTheSameShadowsBehindATower) {
     Case scene{"a tower, bearing " + std::to_string(bearing), world, 0, 1};
     if (bearing == 40) std::swap(scene.world.extent.nx, scene.world.extent.ny);
     scene.rocks = 1900;  // 47 cells high: a shadow of 177 cells
-    CudaExecutor executor({.name = "cuda", .threads = 1}, std::make_unique<EmulatedCalls>(std::make_shared<Card>()));
-    expect_same_as_threads(scene, executor);
+    const auto executor = emulated_executor({.name = "cuda", .threads = 1}, std::make_shared<Card>());
+    expect_same_as_threads(scene, *executor);
   }
 }
 
@@ -37,7 +37,7 @@ StoryEnd grain_story(Executor& executor) {
                     .sand = 9};
   StoryEnd end;
   Terrain terrain = world.strewn();
-  GrainModel model(world.values());
+  GrainModel model(grain_binding().read(world.values()));
   model.begin(terrain);
   std::uint64_t ways = 0;
   const auto fly = [&](std::uint64_t step, double bearing) {
@@ -48,11 +48,11 @@ StoryEnd grain_story(Executor& executor) {
   };
   fly(0, 270);
   fly(1, 10);
-  executor.settle(terrain);
+  executor.sync_to_host(terrain);
   terrain.edit_mobile()(3, 3) += 4;
   terrain.ledger().in += 4;
   fly(2, 10);
-  executor.step(terrain, SlabLaw{}, {270, 3}, {world.seed, 3});
+  move_slabs(executor, terrain, SlabLaw{}, {270, 3}, {world.seed, 3});
   fly(4, 270);
   end.close(executor, terrain);
   end.hash ^= ways;
@@ -66,23 +66,23 @@ TEST(CudaGrains, WhicheverCallFailsTheProcessorGoesOnFromTheSameState) {
 TEST(CudaGrains, KeepTheTerrainOnTheDeviceBetweenSteps) {
   const World world{.model = "grains", .extent = {20, 20}, .sand = 20};
   const auto card = std::make_shared<Card>();
-  CudaExecutor executor({.name = "cuda", .threads = 1}, std::make_unique<EmulatedCalls>(card));
+  const auto executor = emulated_executor({.name = "cuda", .threads = 1}, card);
   Terrain terrain = world.strewn();
-  GrainModel model(world.values());
+  GrainModel model(grain_binding().read(world.values()));
   model.begin(terrain);
   const std::uint64_t before = state_hash(terrain);
-  model.step(terrain, {270, 9}, {7, 0}, executor);
+  model.step(terrain, {270, 9}, {7, 0}, *executor);
   const long long allocated = card->of_kind["allocate"];
   const std::size_t bytes = card->bytes_out;
-  model.step(terrain, {270, 9}, {7, 1}, executor);
+  model.step(terrain, {270, 9}, {7, 1}, *executor);
   EXPECT_EQ(card->of_kind["allocate"], allocated);
   // What was counted, and for each pass of slides whether anything slid.
-  const std::size_t counted = static_cast<std::size_t>(tally_slots) * sizeof(GrainTally);
+  const std::size_t counted = std::size_t{counter_slots} * sizeof(GrainCounters);
   EXPECT_GE(card->bytes_out - bytes, counted + 4 * 4);
   EXPECT_LE(card->bytes_out - bytes, counted + 4 * 8 * 4);
   EXPECT_EQ(state_hash(terrain), before) << "stale until it is asked for";
   const std::size_t stepped = card->bytes_out;
-  executor.settle(terrain);
+  executor->sync_to_host(terrain);
   EXPECT_EQ(card->bytes_out - stepped, 400u * 4) << "sand never bonds: the mobile layer alone";
   EXPECT_NE(state_hash(terrain), before);
   EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
@@ -93,28 +93,28 @@ TEST(CudaGrains, CutBondedGrainsThatCannotBeAsThreadsDo) {
   const World world{.model = "grains", .extent = {20, 20}, .sand = 20};
   const auto hash_on = [&](Executor& executor) {
     Terrain terrain = world.strewn();
-    GrainModel model(world.values());
+    GrainModel model(grain_binding().read(world.values()));
     model.begin(terrain);
     find_field(terrain.edit_fields(), bonded_field)->values[7] = 0.5f;
     model.step(terrain, {270, 9}, {7, 0}, executor);
-    executor.settle(terrain);
+    executor.sync_to_host(terrain);
     EXPECT_EQ(find_field(terrain.fields(), bonded_field)->values[7], 0);
     return state_hash(terrain);
   };
-  ParallelExecutor cpu({.name = "cpu", .threads = 1});
-  CudaExecutor cuda({.name = "cuda", .threads = 1}, std::make_unique<EmulatedCalls>(std::make_shared<Card>()));
-  EXPECT_EQ(hash_on(cuda), hash_on(cpu));
+  Executor cpu({.name = "cpu", .threads = 1});
+  const auto cuda = emulated_executor({.name = "cuda", .threads = 1}, std::make_shared<Card>());
+  EXPECT_EQ(hash_on(*cuda), hash_on(cpu));
 }
 
 TEST(CudaGrains, HaveTheirTerrainBroughtBackNowAndThen) {
   const World world{.model = "grains", .extent = {6, 5}, .settings = {{"sub_steps", std::int64_t{1}}}, .sand = 9};
-  CudaExecutor executor({.name = "cuda", .threads = 1}, std::make_unique<EmulatedCalls>(std::make_shared<Card>()));
+  const auto executor = emulated_executor({.name = "cuda", .threads = 1}, std::make_shared<Card>());
   Terrain terrain = world.strewn();
-  GrainModel model(world.values());
+  GrainModel model(grain_binding().read(world.values()));
   model.begin(terrain);
   const std::uint64_t before = state_hash(terrain);
   std::uint64_t step = 0;
-  while (step < 400 && state_hash(terrain) == before) model.step(terrain, {270, 8}, {7, step++}, executor);
+  while (step < 400 && state_hash(terrain) == before) model.step(terrain, {270, 8}, {7, step++}, *executor);
   EXPECT_EQ(step, 256u) << "so that the processor never has more than these to do again";
 }
 

@@ -8,6 +8,8 @@ namespace {
 
 TEST(CudaKernels, GiveTheSameBitsAsThreads) { expect_same_on_cards(slab_cases()); }
 
+TEST(CudaKernels, GiveTheSameBitsAsPlainLoops) { expect_same_as_loops(slab_cases()); }
+
 /// Plants of every density, from none to closed, under which steeper slopes stand.
 TEST(CudaKernels, GiveTheSameBitsUnderCover) {
   for (const double bearing : {270.0, 20.0}) {
@@ -26,21 +28,21 @@ TEST(CudaKernels, GiveTheSameBitsUnderCover) {
       law.cover = &cover;
       for (std::uint64_t step = 0; step < 6; ++step) {
         if (step == 3) cover.edit();  // executors load it anew, though nothing has changed
-        executor.step(terrain, law, world.wind, {world.seed, step});
+        move_slabs(executor, terrain, law, world.wind, {world.seed, step});
       }
-      executor.settle(terrain);
+      executor.sync_to_host(terrain);
       return state_hash(terrain);
     };
     const ExecutorOptions options{.name = "cpu", .threads = 1, .sweeps = 8};
-    ParallelExecutor cpu(options);
-    CudaExecutor cuda(options, std::make_unique<EmulatedCalls>(std::make_shared<Card>()));
+    Executor cpu(options);
+    const auto cuda = emulated_executor(options, std::make_shared<Card>());
     Terrain terrain = world.strewn();
     Terrain emulated = terrain;
     const std::uint64_t start = state_hash(terrain);
     const std::uint64_t hash = run(cpu, terrain);
     EXPECT_NE(hash, start);
-    EXPECT_EQ(run(cuda, emulated), hash) << bearing;
-    EXPECT_EQ(cuda.name(), "cuda");
+    EXPECT_EQ(run(*cuda, emulated), hash) << bearing;
+    EXPECT_EQ(cuda->name(), "cuda");
   }
 }
 

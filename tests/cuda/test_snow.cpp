@@ -5,21 +5,22 @@
 #include <algorithm>
 
 #include "core/errors.h"
-#include "cuda/snow_plan.h"
+#include "models/snow/plan.h"
+#include "models/snow/snow_step.h"
 #include "on_cards.h"
 #include "snow_cases.h"
 #include "stories.h"
-#include "transport/snow_step.h"
 
 namespace erg::test {
 namespace {
 
-std::unique_ptr<CudaExecutor> emulated(const std::shared_ptr<Card>& card, int sweeps = 2) {
-  return std::make_unique<CudaExecutor>(ExecutorOptions{.name = "cuda", .threads = 1, .sweeps = sweeps},
-                                        std::make_unique<EmulatedCalls>(card));
+std::unique_ptr<Executor> emulated(const std::shared_ptr<Card>& card, int sweeps = 2) {
+  return emulated_executor({.name = "cuda", .threads = 1, .sweeps = sweeps}, card);
 }
 
 TEST(CudaSnow, GivesTheSameBitsAsThreads) { expect_same_on_cards(snow_cases()); }
+
+TEST(CudaSnow, GiveTheSameBitsAsPlainLoops) { expect_same_as_loops(snow_cases()); }
 
 /// Without this the cases would prove little: snow lifts, comes in, is carried off, bonds and comes free in them, and
 /// their flights cross edges.
@@ -67,11 +68,11 @@ StoryEnd snow_story(Executor& executor) {
   drift(14, 250);
   drift(15, 20);  // shows strength
   executor.count_lifts(nullptr);
-  executor.settle(terrain);
+  executor.sync_to_host(terrain);
   terrain.edit_mobile()(3, 6) += 4;
   terrain.ledger().in += 4;
   drift(16, 20);
-  executor.step(terrain, SlabLaw{}, {270, 3}, {world.seed, 17});
+  move_slabs(executor, terrain, SlabLaw{}, {270, 3}, {world.seed, 17});
   drift(18, 0);
   end.close(executor, terrain);
   return end;
@@ -94,17 +95,17 @@ TEST(CudaSnow, KeepsTheTerrainOnTheDeviceBetweenSteps) {
   const std::size_t bytes = card->bytes_out;
   model->step(terrain, {270, 14}, {7, 1}, *executor);
   EXPECT_EQ(card->of_kind["allocate"], allocated);
-  EXPECT_EQ(card->bytes_out - bytes, snow_bounds * 4 + tally_slots * tallies * 8) << "bounds and counts";
+  EXPECT_EQ(card->bytes_out - bytes, snow_bounds * 4 + counter_slots * step_counters * 8) << "bounds and counts";
   EXPECT_EQ(state_hash(terrain), before) << "stale until it is asked for";
   const std::size_t stepped = card->bytes_out;
-  executor->settle(terrain);
+  executor->sync_to_host(terrain);
   EXPECT_EQ(card->bytes_out - stepped, 400u * 4 * 4) << "slabs, loose slabs, age and landing";
   EXPECT_NE(state_hash(terrain), before);
-  executor->settle(terrain);
+  executor->sync_to_host(terrain);
   EXPECT_EQ(card->bytes_out - stepped, 400u * 4 * 4) << "nothing was done since";
   model->step(terrain, {270, 14}, {7, 15}, *executor);
   const std::size_t shown = card->bytes_out;
-  executor->settle(terrain);
+  executor->sync_to_host(terrain);
   EXPECT_EQ(card->bytes_out - shown, 400u * 5 * 4) << "and strength, where a step has shown it";
   EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
 }
@@ -114,9 +115,9 @@ TEST(CudaSnow, RefusesSnowThatHasGrownTooHigh) {
   World world{.model = "snow_sintering", .extent = {20, 20}, .sand = 20};
   std::vector<std::string> problems;
   std::vector<std::uint64_t> hashes;
-  ParallelExecutor cpu({.name = "cpu", .threads = 1, .sweeps = 2});
+  Executor cpu({.name = "cpu", .threads = 1, .sweeps = 2});
   const auto cuda = emulated(std::make_shared<Card>());
-  for (Executor* executor : {static_cast<Executor*>(&cpu), static_cast<Executor*>(cuda.get())}) {
+  for (Executor* executor : {&cpu, cuda.get()}) {
     Terrain terrain = world.strewn();
     const auto model = find_model(world.model).make(world.values());
     model->begin(terrain);
@@ -127,7 +128,7 @@ TEST(CudaSnow, RefusesSnowThatHasGrownTooHigh) {
     } catch (const InputError& error) {
       problems.push_back(error.what());
     }
-    executor->settle(terrain);
+    executor->sync_to_host(terrain);
     hashes.push_back(state_hash(terrain));
   }
   ASSERT_EQ(problems.size(), 2u);

@@ -9,21 +9,25 @@
 #include <vector>
 
 #include "analysis/migration.h"
+#include "compute/executor.h"
 #include "forcing/bearing.h"
 #include "forcing/wind_frame.h"
-#include "models/grain_law.h"
-#include "models/grains.h"
-#include "transport/executor.h"
+#include "models/grains/grain_law.h"
+#include "models/grains/grains.h"
+#include "sim/make_executor.h"
 #include "world.h"
 
 namespace erg::test {
 
 using GrainSettings = std::vector<std::pair<std::string, ParameterValue>>;
 
-inline ParameterValues grain_values(const GrainSettings& settings = {}) {
-  ParameterValues values(find_model("grains").parameters);
+inline ParameterValues grain_parameters(const GrainSettings& settings) {
+  ParameterValues values(grain_binding().declarations());
   for (const auto& [key, value] : settings) values.set(key, value);
   return values;
+}
+inline GrainValues grain_values(const GrainSettings& settings = {}) {
+  return grain_binding().read(grain_parameters(settings));
 }
 
 /// Grains in still air.
@@ -38,7 +42,9 @@ struct GrainRun {
   explicit GrainRun(const GrainSettings& settings, Extent extent = {64, 64}, std::int32_t parcels = 200)
       : GrainRun(settings, level_bed(settings, extent, parcels)) {}
   GrainRun(const GrainSettings& settings, Terrain bed)
-      : model(grain_values(settings)), terrain(std::move(bed)), executor(make_executor({.name = "cpu", .threads = 2})) {
+      : model(grain_values(settings)),
+        terrain(std::move(bed)),
+        executor(sim::make_executor({.name = "cpu", .threads = 2})) {
     model.begin(terrain);
   }
 

@@ -7,10 +7,14 @@
 #include "core/units.h"
 #include "forcing/shadow.h"
 #include "forcing/wind_frame.h"
-#include "transport/slab_law.h"
+#include "models/slab/slab_law.h"
+#include "sim/make_executor.h"
 #include "world.h"
 
 namespace erg::test {
+
+using sim::make_executor;
+
 namespace {
 
 /// A law under which the bed stays flat: no shadow, slopes hardly slide, every cell polled once.
@@ -29,7 +33,7 @@ double mean_travel(const Machine& machine, SlabLaw law, std::int32_t sand) {
   terrain.open_ledger();
   const auto executor = make_executor(machine.options);
   StepReport total;
-  for (std::uint64_t step = 0; step < 5; ++step) total += executor->step(terrain, law, {270, 5}, {11, step});
+  for (std::uint64_t step = 0; step < 5; ++step) total += move_slabs(*executor, terrain, law, {270, 5}, {11, step});
   EXPECT_EQ(total.polls, 5 * 200 * 200) << machine.name;
   EXPECT_EQ(total.lifts, total.polls) << machine.name;
   return total.travel / static_cast<double>(total.lifts);
@@ -67,7 +71,7 @@ TEST(Exact, MeanTravelHoldsForAnyHopLengthAtAnyBearing) {
       const auto executor = make_executor(options);
       StepReport total;
       for (std::uint64_t step = 0; step < static_cast<std::uint64_t>(steps); ++step) {
-        total += executor->step(terrain, law, {wind.bearing, wind.strength}, {11, step});
+        total += move_slabs(*executor, terrain, law, {wind.bearing, wind.strength}, {11, step});
       }
       const double travel = total.travel / static_cast<double>(total.lifts);
       // A geometric number of hops scatters by sqrt(1 - p) of its mean; of hops shorter than a row only some are made.
@@ -92,7 +96,7 @@ TEST(Exact, ForcedErosionLiftsAsManySlabsAsThereAreCells) {
       constexpr int steps = 30;
       std::int64_t lifts = 0;
       for (std::uint64_t step = 0; step < steps; ++step)
-        lifts += executor->step(terrain, law, {280, 5}, {5, step}).lifts;
+        lifts += move_slabs(*executor, terrain, law, {280, 5}, {5, step}).lifts;
       EXPECT_NEAR(static_cast<double>(lifts) / (steps * 128 * 96), 1, 0.002) << machine.name << ", " << repeated;
     }
   }
@@ -108,7 +112,7 @@ TEST(Exact, CoverScalesLiftAndLanding) {
     terrain.edit_mobile().fill(60);
     terrain.open_ledger();
     const auto executor = make_executor(machine.options);
-    const StepReport report = executor->step(terrain, law, {270, 5}, {3, 0});
+    const StepReport report = move_slabs(*executor, terrain, law, {270, 5}, {3, 0});
     EXPECT_NEAR(static_cast<double>(report.lifts) / 40000, 0.6, 0.012) << machine.name;
     EXPECT_NEAR(report.travel / static_cast<double>(report.lifts), 5 / 0.76, 0.12) << machine.name;
   }
@@ -123,8 +127,8 @@ TEST(Exact, FullCoverHoldsEverything) {
     law.cover = &cover;
     const std::uint64_t before = state_hash(terrain);
     const auto executor = make_executor(machine.options);
-    EXPECT_EQ(executor->step(terrain, law, {270, 5}, {3, 0}).lifts, 0) << machine.name;
-    executor->settle(terrain);
+    EXPECT_EQ(move_slabs(*executor, terrain, law, {270, 5}, {3, 0}).lifts, 0) << machine.name;
+    executor->sync_to_host(terrain);
     EXPECT_EQ(state_hash(terrain), before) << machine.name;
   }
 }
@@ -157,8 +161,8 @@ TEST(Exact, NothingStandsSteeperThanRepose) {
     terrain.open_ledger();
     const auto executor = make_executor(machine.options);
     if (executor->name() == "serial") continue;  // slides only where a slab moves
-    for (std::uint64_t step = 0; step < 30; ++step) executor->step(terrain, law, {270, 5}, {3, step});
-    executor->settle(terrain);
+    for (std::uint64_t step = 0; step < 30; ++step) move_slabs(*executor, terrain, law, {270, 5}, {3, step});
+    executor->sync_to_host(terrain);
     for (int y = 0; y < 64; ++y) {
       for (int x = 0; x < 64; ++x) {
         EXPECT_LE(std::abs(terrain.mobile()(x, y) - terrain.mobile().wrapped(x + 1, y)), law.bare.straight);
@@ -181,8 +185,8 @@ TEST(Exact, StepsTooLongForSixteenBitsStand) {
     law.cover = &cover;
     const std::uint64_t before = state_hash(terrain);
     const auto executor = make_executor(machine.options);
-    executor->step(terrain, law, {270, 5}, {3, 0});
-    executor->settle(terrain);
+    move_slabs(*executor, terrain, law, {270, 5}, {3, 0});
+    executor->sync_to_host(terrain);
     EXPECT_EQ(state_hash(terrain), before) << machine.name;
   }
 }
@@ -200,8 +204,8 @@ TEST(Exact, NothingStandsSteeperThanReposeOnSkewedPlanes) {
     law.cover = &cover;
     law.neighbours = 8;
     const auto executor = make_executor({.name = "cpu", .threads = 2, .lines_a_thread = 1});
-    for (std::uint64_t step = 0; step < 12; ++step) executor->step(terrain, law, {bearing, 5}, {3, step});
-    executor->settle(terrain);
+    for (std::uint64_t step = 0; step < 12; ++step) move_slabs(*executor, terrain, law, {bearing, 5}, {3, step});
+    executor->sync_to_host(terrain);
     const Grid<std::int32_t>& mobile = terrain.mobile();
     for (int y = 0; y < terrain.ny(); ++y) {
       for (int x = 0; x < terrain.nx(); ++x) {
@@ -231,8 +235,8 @@ TEST(Exact, ATallConeSlidesToTheSameSlopeInEveryAzimuthWithEightNeighbours) {
   law.neighbours = 8;
   law.bare = law.covered = StandingSteps::of_angle(33, 1, 0.1);
   const auto executor = make_executor({.name = "cpu", .threads = 2, .lines_a_thread = 1});
-  for (std::uint64_t step = 0; step < 400; ++step) executor->step(terrain, law, {270, 5}, {3, step});
-  executor->settle(terrain);
+  for (std::uint64_t step = 0; step < 400; ++step) move_slabs(*executor, terrain, law, {270, 5}, {3, step});
+  executor->sync_to_host(terrain);
   // The foot of the cone, where it falls under 20 slabs, in 16 azimuths.
   double nearest = 1e9;
   double farthest = 0;

@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 #include "grain_world.h"
-#include "models/plant_wakes.h"
+#include "models/grains/plant_wakes.h"
 
 namespace erg::test {
 namespace {
@@ -62,7 +62,7 @@ TEST(Grains, WithoutAirAGrainFliesAParabola) {
   grain.speed_v = 1.5f;
   grain.speed_z = 1;
   GrainDice dice{1};
-  FlightSums sums;
+  FlightCounters sums;
   FirstImpact watch;
   EXPECT_EQ(fly(law, ground, grain, dice, sums, watch), FlightEnd::rested);
   // Way 2 v w / g, speed of impact as at the start; the first-order time step errs by g dt / w.
@@ -72,7 +72,7 @@ TEST(Grains, WithoutAirAGrainFliesAParabola) {
 }
 
 TEST(Grains, TheProfileIsLogarithmicAndItsTableExact) {
-  const ParameterValues values = grain_values();
+  const GrainValues values = grain_values();
   const double threshold = lifting_threshold(values, 0.25e-3);
   EXPECT_NEAR(threshold, 0.7 * std::sqrt(0.0123 * (2655 / 1.1644 * 9.81 * 0.25e-3 + 3e-4 / (1.1644 * 0.25e-3))), 1e-12);
   EXPECT_NEAR(profile_speed(values, 0.15, 1.0), 0.15 / 0.4 * std::log(1 / (0.25e-3 / 30)), 1e-9);
@@ -139,7 +139,7 @@ TEST(Grains, HopsAreShorterUphillAndLongerOverACrest) {
 }
 
 TEST(Grains, ReptationIsLinearInTheFrictionVelocity) {
-  const ParameterValues values = grain_values({{"reptation", 0.01}, {"reptation_wind", 0.5}});
+  const GrainValues values = grain_values({{"reptation", 0.01}, {"reptation_wind", 0.5}});
   const double threshold = lifting_threshold(values, 0.25e-3);
   EXPECT_DOUBLE_EQ(reptation(values, threshold), 0.01);
   EXPECT_DOUBLE_EQ(reptation(values, 2 * threshold), 0.015);
@@ -147,12 +147,12 @@ TEST(Grains, ReptationIsLinearInTheFrictionVelocity) {
   EXPECT_DOUBLE_EQ(reptation(values, 0.5 * threshold), 0.01) << "no shorter than at the threshold";
   EXPECT_DOUBLE_EQ(reptation(values, 50 * threshold), reptation(values, 10 * threshold));
   EXPECT_DOUBLE_EQ(reptation(grain_values({{"reptation_wind", 0.0}}), 3 * threshold), 0.0075) << "as long in any wind";
-  const ParameterValues light = grain_values({{"threshold_coefficient", 0.0}});
+  const GrainValues light = grain_values({{"threshold_coefficient", 0.0}});
   EXPECT_DOUBLE_EQ(reptation(light, 0.3), 0.0075 * (1 + 0.7 * 9)) << "finite where the threshold is nothing";
 }
 
 TEST(Grains, APlantSheltersWhatLiesBehindAndNothingElse) {
-  const ParameterValues values = grain_values({{"plant_height", 0.02}});  // a wake of 20 cells
+  const GrainValues values = grain_values({{"plant_height", 0.02}});  // a wake of 20 cells
   Terrain terrain({40, 40}, 0.01, 0.25e-3, Boundary::torus);
   Grid<float> plants(terrain.extent());
   plants(10, 20) = 1;

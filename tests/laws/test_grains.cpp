@@ -63,7 +63,7 @@ double young_spacing(double friction, double reptation_wind) {
 TEST(Grains, RipplesOfAYoungBedLengthenWithTheWind) {
   // Andreotti et al. 2006: the first length is linear in the friction velocity. The control: hardly, where grains
   // knocked loose get as far in any wind.
-  const double default_rise = grain_values().real("reptation_wind");
+  const double default_rise = grain_values().reptation_wind;
   EXPECT_GT(young_spacing(0.65, default_rise), 1.4 * young_spacing(0.25, default_rise));
   EXPECT_LT(young_spacing(0.65, 0), 1.3 * young_spacing(0.25, 0));
 }
@@ -216,9 +216,9 @@ TEST(Grains, EveryParameterMatters) {
   const std::uint64_t plain = end_of(busy);
   for (const Parameter& parameter : find_model("grains").parameters) {
     ParameterValue other = std::string("friction_velocity");
-    const ParameterValues values = grain_values(busy);
-    if (parameter.kind == ParameterKind::integer) other = values.integer(parameter.key) + 1;
-    if (parameter.kind == ParameterKind::real) other = 0.8 * values.real(parameter.key);
+    const ParameterValues values = grain_parameters(busy);
+    if (parameter.kind() == ParameterKind::integer) other = values.integer(parameter.key) + 1;
+    if (parameter.kind() == ParameterKind::real) other = 0.8 * values.real(parameter.key);
     if (parameter.key == "longest_flight") other = parameter.minimum;
     GrainSettings changed = busy;
     changed.emplace_back(parameter.key, other);

@@ -3,9 +3,13 @@
 
 #include <numeric>
 
+#include "sim/make_executor.h"
 #include "world.h"
 
 namespace erg::test {
+
+using sim::make_executor;
+
 namespace {
 
 struct Case {

@@ -25,7 +25,7 @@ using test::field;
 std::int64_t frozen_on_day(const std::string& executor, double first, double last, std::int64_t steps = 100) {
   Config config = configured("snow_packing", {"grid.nx=16", "grid.ny=16", "wind.strength=20",
                                               "run.executor=" + executor, "run.steps=" + std::to_string(steps)});
-  config.temperature = {first, last, {}};
+  config.weather.temperature = {first, last, {}};
   Simulation simulation(config);
   while (!simulation.finished() && simulation.step_count() < steps) simulation.step();
   if (!simulation.finished()) return 0;
@@ -47,7 +47,7 @@ TEST(SnowPacking, FreezesSoonerTheWarmerItIs) {
 
 TEST(SnowPacking, FollowsTheTemperatureCurve) {
   Config config = configured("snow_packing", {"run.steps=11"});
-  config.temperature = {-20, 0, {{0, 1}, {0, 1}}};  // warms at once
+  config.weather.temperature = {-20, 0, {{0, 1}, {0, 1}}};  // warms at once
   Simulation simulation(config);
   EXPECT_EQ(simulation.wind().temperature, -20);
   simulation.step();

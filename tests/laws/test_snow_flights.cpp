@@ -3,8 +3,9 @@
 
 #include <cmath>
 
+#include "models/snow/snow_machine.h"
+#include "sim/make_executor.h"
 #include "sim/simulation.h"
-#include "transport/snow_machine.h"
 #include "world.h"
 
 namespace erg::test {
@@ -77,7 +78,7 @@ std::uint64_t hash_after_steps(InstructionSet instructions, const std::string& e
   }
   SnowLaw law = rough_law();
   SnowMachine machine(instructions);
-  const auto executor = make_executor({.name = executor_name, .threads = 2, .sweeps = 4});
+  const auto executor = sim::make_executor({.name = executor_name, .threads = 2, .sweeps = 4});
   for (std::uint64_t step = 0; step < 5; ++step) {
     law.now += law.step_hours;
     machine.step(terrain, layers, law, {3, 10}, 5.0, {250, 14}, {3, step}, *executor);

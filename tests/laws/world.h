@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "compute/executor.h"
 #include "core/terrain.h"
 #include "models/model.h"
-#include "models/slab_model.h"
-#include "transport/executor.h"
+#include "models/slab/slab_model.h"
+#include "sim/make_executor.h"
 
 namespace erg::test {
 
@@ -74,7 +75,7 @@ struct World {
 
   /// Runs `steps` steps and settles; the sum of what they did.
   StepReport run(Terrain& terrain, const ExecutorOptions& options, int steps, int first_step = 0) const {
-    const auto executor = make_executor(options);
+    const auto executor = sim::make_executor(options);
     return run(terrain, *executor, steps, first_step);
   }
   StepReport run(Terrain& terrain, Executor& executor, int steps, int first_step = 0) const {
@@ -87,7 +88,7 @@ struct World {
       now.bearing = fold_bearing(now.bearing + wind_swing(spread, 0, seed, step));
       total += made->step(terrain, now, {seed, static_cast<std::uint64_t>(step)}, executor);
     }
-    executor.settle(terrain);
+    executor.sync_to_host(terrain);
     return total;
   }
 };

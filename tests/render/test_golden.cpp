@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "compute/executor.h"
 #include "forcing/shadow.h"
 #include "io/formats/png.h"
 #include "models/model.h"
@@ -12,7 +13,7 @@
 #include "render/renderer.h"
 #include "scene.h"
 #include "sim/flux_watch.h"
-#include "transport/executor.h"
+#include "sim/make_executor.h"
 
 namespace erg::test {
 
@@ -59,7 +60,7 @@ Field flux_of(Terrain terrain) {
   sim::FluxWatch watch(terrain.extent());
   const ModelType& type = find_model("werner");
   const auto model = type.make(ParameterValues(type.parameters));
-  const auto executor = make_executor({.name = "cpu", .threads = 1});
+  const auto executor = sim::make_executor({.name = "cpu", .threads = 1});
   executor->count_lifts(&watch.counts());
   model->begin(terrain);
   for (std::uint64_t step = 0; step < 4; ++step) {

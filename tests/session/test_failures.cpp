@@ -5,7 +5,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "models/slab_model.h"
+#include "models/slab/slab_model.h"
 #include "session/runner.h"
 #include "small_config.h"
 
@@ -33,9 +33,9 @@ class Faulty : public SlabModel {
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
     const StepReport report = SlabModel::step(terrain, wind, key, executor);
     if (!step_fails) return report;
-    executor.settle(terrain);
+    executor.sync_to_host(terrain);
     terrain.edit_mobile().fill(1);  // what it leaves is nothing to go on from
-    executor.for_pieces(1000, [](std::int64_t, std::int64_t end) {
+    executor.parallel_for(1000, [](std::int64_t, std::int64_t end) {
       if (end == 1000) throw std::bad_alloc();
     });
     return report;

@@ -39,8 +39,8 @@ const SetupRow& row_of(const std::vector<SetupRow>& rows, const std::string& key
 
 /// A value that the parameter must refuse.
 ParameterValue wrong_value(const Parameter& parameter) {
-  if (parameter.kind == ParameterKind::choice) return std::string("no such thing");
-  if (parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer) {
+  if (parameter.kind() == ParameterKind::choice) return std::string("no such thing");
+  if (parameter.kind() == ParameterKind::real || parameter.kind() == ParameterKind::integer) {
     return 2 * parameter.maximum + 1;
   }
   return 0.5;
@@ -54,7 +54,7 @@ TEST(Setup, EveryValueOfEveryModelRefusesWhatIsOutOfRange) {
       for (const SetupRow& row : setup.rows(group)) {
         EXPECT_TRUE(setup.set(group, row.parameter->key, wrong_value(*row.parameter)).has_value())
             << row.parameter->key;
-        if (row.parameter->kind == ParameterKind::real) {
+        if (row.parameter->kind() == ParameterKind::real) {
           EXPECT_TRUE(setup.set(group, row.parameter->key, std::nan("")).has_value()) << row.parameter->key;
         }
         EXPECT_EQ(setup.config(), before) << row.parameter->key;
@@ -135,17 +135,17 @@ TEST(Setup, TheTemperatureOfSnowIsEditedInItsRange) {
   setup.choose_material(Material::snow);
   ASSERT_EQ(setup.material(), Material::snow);
   const Config before = setup.config();
-  EXPECT_TRUE(setup.set_temperatures(-20, 5).has_value());
-  EXPECT_TRUE(setup.set_temperature_curve({{0, 2}, {1, 1}}).has_value());
+  const Channel& temperature = *find_channel("temperature");
+  EXPECT_TRUE(setup.set_course(temperature, {-20, 5, {}}).has_value());
+  EXPECT_TRUE(setup.set_course(temperature, {-20, -4, {{0, 2}, {1, 1}}}).has_value());
   EXPECT_EQ(setup.config(), before);
-  ASSERT_FALSE(setup.set_temperatures(-20, -4).has_value());
-  ASSERT_FALSE(setup.set_temperature_curve({{0, 0}, {1, 1}}).has_value());
-  const Temperature& now = setup.config().temperature;
+  ASSERT_FALSE(setup.set_course(temperature, {-20, -4, {{0, 0}, {1, 1}}}).has_value());
+  const Course& now = setup.config().weather.temperature;
   EXPECT_EQ(now.at(0), -20);
   EXPECT_NEAR(now.at(0.5), -12, 1e-9);
   EXPECT_EQ(now.at(1), -4);
   EXPECT_EQ(parse_config(config_text(setup.config()), "test"), setup.config());
-  EXPECT_EQ(setup.in_force_on(before).temperature.last, -4) << "may change in a run";
+  EXPECT_EQ(setup.in_force_on(before).weather.temperature.last, -4) << "may change in a run";
   setup.choose_material(Material::sand);
   EXPECT_EQ(setup.material(), Material::sand);
 }
@@ -199,7 +199,7 @@ TEST(WindEditor, InvalidValuesChangeNothing) {
   EXPECT_TRUE(wind.set_first(0, -1).has_value());
   EXPECT_TRUE(wind.set_last(0, std::numeric_limits<double>::infinity()).has_value());
   EXPECT_TRUE(wind.set_steps(0, 0).has_value());
-  EXPECT_TRUE(wind.set_snowfall(0, -1).has_value());
+  EXPECT_TRUE(wind.set(0, "snowfall", -1.0).has_value());
   EXPECT_TRUE(wind.set_curve(0, {{-0.1, 0}, {1, 1}}).has_value());
   EXPECT_TRUE(wind.set_curve(0, {{0, 0}, {1, 1.5}}).has_value());
   EXPECT_EQ(regime, before);

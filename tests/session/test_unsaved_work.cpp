@@ -13,7 +13,7 @@ namespace erg {
 using io::write_config;
 using session::AppModel;
 using session::Leaves;
-using session::UnsavedWork;
+using session::UnsavedItem;
 
 namespace {
 
@@ -123,17 +123,17 @@ TEST_F(UnsavedWorkTest, WhatTookLongToGrowIsWorkUntilItIsKept) {
   app.runner().step();
   settle();
   session::Snapshot now = app.now();
-  UnsavedWork kept;
+  UnsavedItem kept;
   kept.start_from("small.json", small_config());
   const auto is_work = [&] { return kept.missing(app.comparison(), now, Leaves::terrain).has_value(); };
   EXPECT_GT(now.seconds_worked, 0);
-  now.seconds_worked = UnsavedWork::long_work - 1;
+  now.seconds_worked = UnsavedItem::long_work - 1;
   EXPECT_FALSE(is_work());
-  now.seconds_worked = UnsavedWork::long_work + 1;
+  now.seconds_worked = UnsavedItem::long_work + 1;
   EXPECT_TRUE(is_work());
   kept.terrain_saved(now, 0);
   EXPECT_FALSE(is_work());
-  now.seconds_worked += UnsavedWork::long_work;
+  now.seconds_worked += UnsavedItem::long_work;
   EXPECT_TRUE(is_work());
 }
 

@@ -120,14 +120,14 @@ TEST(WindPanel, ASpreadIsSetTakenBackAndSwitchedOff) {
   PanelHand panel(make_wind_panel());
   const auto season = [&]() -> const Season& { return panel.app.setup().config().wind.seasons.front(); };
   EXPECT_EQ(season().spread, natural_spread);
-  panel.hand.enter("WIND/" + season_spread_parameter().label, "25");
-  panel.hand.enter("WIND/" + season_hold_parameter().label, "9");
+  panel.hand.enter("WIND/" + season_columns().find("spread")->label, "25");
+  panel.hand.enter("WIND/" + season_columns().find("hold")->label, "9");
   EXPECT_EQ(season().spread, 25);
   EXPECT_EQ(season().hold, 9);
-  panel.hand.enter("WIND/" + season_spread_parameter().label, "0");
+  panel.hand.enter("WIND/" + season_columns().find("spread")->label, "0");
   panel.hand.frames(2);
   EXPECT_EQ(season().spread, 0);
-  EXPECT_FALSE(panel.hand.has("WIND/" + season_hold_parameter().label)) << "nothing is held without a spread";
+  EXPECT_FALSE(panel.hand.has("WIND/" + season_columns().find("hold")->label)) << "nothing is held without a spread";
 }
 
 TEST(WindPanel, SeasonsAreAddedCopiedMovedAndRemoved) {

@@ -27,7 +27,7 @@ TEST(TemperaturePanel, EndsAreTypedAndTheCurveBetweenThemIsBent) {
   EXPECT_FALSE(panel.hand.has("TEMPERATURE/curve/box"));  // nothing to bend while both ends are alike
   panel.hand.enter("TEMPERATURE/at the start", "-20");
   panel.hand.enter("TEMPERATURE/at the end", "-5");
-  const Temperature& now = panel.app.setup().config().temperature;
+  const Course& now = panel.app.setup().config().weather.temperature;
   EXPECT_EQ(now.first, -20);
   EXPECT_EQ(now.last, -5);
   const ui::WidgetPlace box = panel.hand.place("curve/box");
@@ -41,11 +41,11 @@ TEST(WindPanel, SnowFallsInASeasonOfAModelThatLetsIt) {
   for (const char* model : {"momiji", "snow_packing"}) {
     panel.app.setup().choose_model(model);
     panel.hand.frames(2);
-    EXPECT_FALSE(panel.hand.has("WIND/" + season_snowfall_parameter().label)) << model;
+    EXPECT_FALSE(panel.hand.has("WIND/" + season_columns().find("snowfall")->label)) << model;
   }
   panel.app.setup().choose_model("snow_sintering");
   panel.hand.frames(2);
-  panel.hand.enter("WIND/" + season_snowfall_parameter().label, "3");
+  panel.hand.enter("WIND/" + season_columns().find("snowfall")->label, "3");
   EXPECT_EQ(panel.app.setup().config().wind.seasons.front().snowfall, 3);
 }
 

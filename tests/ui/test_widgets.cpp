@@ -43,7 +43,13 @@ TEST(Widgets, ASliderFollowsTheMouseAndTakesTypedNumbersWithinItsRange) {
 }
 
 TEST(Widgets, AParameterIsResetToItsDefaultByItsDot) {
-  const Parameter declared = integer_parameter("hop", "hop length", "cells", 5, 1, 100, "How far a slab hops.");
+  const Parameter declared{.key = "hop",
+                           .label = "hop length",
+                           .unit = "cells",
+                           .default_value = 5,
+                           .minimum = 1,
+                           .maximum = 100,
+                           .meaning = "How far a slab hops."};
   ParameterValue value = std::int64_t{5};
   UiHarness hand = in_a_window([&] { parameter_row(declared, value); });
   EXPECT_FALSE(hand.has("hop length reset"));
@@ -55,7 +61,11 @@ TEST(Widgets, AParameterIsResetToItsDefaultByItsDot) {
 }
 
 TEST(Widgets, AChoiceIsMadeFromItsList) {
-  const Parameter declared = choice_parameter("kind", "scene", "flat", {"flat", "random", "rocks"}, "What lies there.");
+  const Parameter declared{.key = "kind",
+                           .label = "scene",
+                           .default_value = "flat",
+                           .choices = {"flat", "random", "rocks"},
+                           .meaning = "What lies there."};
   ParameterValue value = std::string("flat");
   UiHarness hand = in_a_window([&] { parameter_row(declared, value); });
   hand.click("scene");

@@ -28,7 +28,7 @@ ParameterValue another(const Parameter& parameter, const ParameterValue& value) 
     return *whole + (static_cast<double>(*whole) < parameter.maximum ? 1 : -1);
   }
   if (const auto* truth = std::get_if<bool>(&value)) return !*truth;
-  if (parameter.kind != ParameterKind::choice) return value;
+  if (parameter.kind() != ParameterKind::choice) return value;
   const auto here = std::ranges::find(parameter.choices, std::get<std::string>(value));
   return here + 1 == parameter.choices.end() ? parameter.choices.front() : *(here + 1);
 }

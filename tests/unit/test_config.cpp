@@ -48,12 +48,12 @@ TEST(Config, EveryDeclarationIsSound) {
         EXPECT_TRUE(seen.insert(parameter.key).second) << "declared twice";
         EXPECT_FALSE(parameter.label.empty());
         EXPECT_FALSE(parameter.meaning.empty());
-        EXPECT_FALSE(check_value(parameter, parameter.standard, "")) << "the default is not accepted";
-        if (parameter.only_when.empty()) continue;
-        const Parameter* switch_parameter = (config.*group.values).find(parameter.only_when.front());
+        EXPECT_FALSE(check_value(parameter, parameter.default_value, "")) << "the default is not accepted";
+        if (parameter.active_if.empty()) continue;
+        const Parameter* switch_parameter = (config.*group.values).find(parameter.active_if.front());
         ASSERT_NE(switch_parameter, nullptr);
-        for (std::size_t i = 1; i < parameter.only_when.size(); ++i) {
-          EXPECT_FALSE(check_value(*switch_parameter, parameter.only_when[i], "")) << parameter.only_when[i];
+        for (std::size_t i = 1; i < parameter.active_if.size(); ++i) {
+          EXPECT_FALSE(check_value(*switch_parameter, parameter.active_if[i], "")) << parameter.active_if[i];
         }
       }
     }
@@ -65,7 +65,7 @@ TEST(Config, NoChangeOfARunChangesTheHeightOfItsSlabs) {
   for (const ModelType& type : catalogue()) {
     const double quantum = type.make(ParameterValues(type.parameters))->quantum();
     for (const Parameter& parameter : type.parameters) {
-      if (parameter.at_start || parameter.kind != ParameterKind::real) continue;
+      if (parameter.at_start || parameter.kind() != ParameterKind::real) continue;
       ParameterValues values(type.parameters);
       values.set(parameter.key, 0.5 * (parameter.minimum + parameter.maximum));
       EXPECT_EQ(type.make(values)->quantum(), quantum) << type.info.key << ", " << parameter.key;
@@ -150,12 +150,12 @@ TEST(Config, WeatherThatTheModelDoesNotAskForIsRefusedAndNotWritten) {
             "no error");
 
   Config config("snow_sintering");  // as a setup of the window, whose model may change
-  config.temperature.last = -2;
+  config.weather.temperature.last = -2;
   config.wind.seasons.front().snowfall = 3;
   EXPECT_EQ(parse_config(config_text(config), "a.json"), config);
   change_model(config, "momiji");
   const Config read = parse_config(config_text(config), "a.json");
-  EXPECT_EQ(read.temperature, Temperature{});
+  EXPECT_EQ(read.weather, Weather{});
   EXPECT_EQ(read.wind.seasons.front().snowfall, 0);
 }
 

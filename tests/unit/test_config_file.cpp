@@ -54,12 +54,12 @@ Config random_config(std::mt19937& random) {
     for (const Parameter& parameter : Parameters(values.declared())) {
       if (below(2) == 0) continue;
       const double number = parameter.minimum + unit() * (parameter.maximum - parameter.minimum);
-      if (parameter.kind == ParameterKind::real) values.set(parameter.key, number);
-      if (parameter.kind == ParameterKind::integer) values.set(parameter.key, static_cast<std::int64_t>(number));
-      if (parameter.kind == ParameterKind::boolean) values.set(parameter.key, below(2) == 0);
-      if (parameter.kind == ParameterKind::choice)
+      if (parameter.kind() == ParameterKind::real) values.set(parameter.key, number);
+      if (parameter.kind() == ParameterKind::integer) values.set(parameter.key, static_cast<std::int64_t>(number));
+      if (parameter.kind() == ParameterKind::boolean) values.set(parameter.key, below(2) == 0);
+      if (parameter.kind() == ParameterKind::choice)
         values.set(parameter.key, parameter.choices[below(parameter.choices.size())]);
-      if (parameter.kind == ParameterKind::path) values.set(parameter.key, std::string("a/b c.png"));
+      if (parameter.kind() == ParameterKind::path) values.set(parameter.key, std::string("a/b c.png"));
     }
   }
   if (config.scene.text("kind") == "image") config.scene.set("image", std::string("ground.png"));
@@ -424,7 +424,7 @@ TEST_F(ConfigFile, TheSchemaFollowsFromTheDeclarations) {
       SCOPED_TRACE(parameter.key);
       EXPECT_EQ(property["title"], parameter.label);
       EXPECT_TRUE(property.contains("default"));
-      const bool number = parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer;
+      const bool number = parameter.kind() == ParameterKind::real || parameter.kind() == ParameterKind::integer;
       ASSERT_EQ(property.contains("minimum"), number);
       if (!number) continue;
       EXPECT_EQ(property["minimum"].get<double>(), parameter.minimum);

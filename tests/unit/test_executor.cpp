@@ -3,13 +3,15 @@
 #include <atomic>
 #include <vector>
 
+#include "compute/executor.h"
+#include "compute/work_queue.h"
+#include "sim/make_executor.h"
 #include "sim/simulation.h"
-#include "transport/executor.h"
-#include "transport/shared_work.h"
 
 namespace erg {
 
 using sim::FluxWatch;
+using sim::make_executor;
 using sim::Simulation;
 
 namespace {
@@ -20,7 +22,7 @@ TEST(Executor, PiecesCoverEachItemOnceOnAnyNumberOfThreads) {
       const auto executor = make_executor({.name = name, .threads = threads});
       for (const int items : {0, 1, 2, 7, 1000}) {
         std::vector<std::atomic<int>> visits(static_cast<std::size_t>(items));
-        executor->for_pieces(items, [&](std::int64_t begin, std::int64_t end) {
+        executor->parallel_for(items, [&](std::int64_t begin, std::int64_t end) {
           for (std::int64_t k = begin; k < end; ++k) ++visits[static_cast<std::size_t>(k)];
         });
         for (const auto& count : visits) EXPECT_EQ(count, 1) << name << ", " << threads << " threads";
@@ -29,7 +31,7 @@ TEST(Executor, PiecesCoverEachItemOnceOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Executor, SharedWorkIsDoneOnceWhoeverTakesIt) {
+TEST(Executor, WorkQueueIsDoneOnceWhoeverTakesIt) {
   for (const int threads : {1, 2, 3, 8}) {
     const auto executor = make_executor({.name = "cpu", .threads = threads});
     for (const int items : {0, 1, 7, 5000}) {
@@ -37,17 +39,17 @@ TEST(Executor, SharedWorkIsDoneOnceWhoeverTakesIt) {
       const auto visit = [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t k = begin; k < end; ++k) ++visits[static_cast<std::size_t>(k)];
       };
-      SharedWork work(items, threads);
-      executor->for_pieces(threads, [&](std::int64_t first, std::int64_t last) {
-        for (auto member = static_cast<int>(first); member < last; ++member) work.take_pieces(member, visit);
+      WorkQueue work(items, threads);
+      executor->parallel_for(threads, [&](std::int64_t first, std::int64_t last) {
+        for (auto member = static_cast<int>(first); member < last; ++member) work.take_chunks(member, visit);
       });
       for (const auto& count : visits) EXPECT_EQ(count, 1) << items << " items, " << threads << " threads";
     }
   }
   // One member alone does the others' shares too.
   int done = 0;
-  SharedWork alone(100, 4);
-  alone.take_pieces(2, [&done](std::int64_t begin, std::int64_t end) { done += static_cast<int>(end - begin); });
+  WorkQueue alone(100, 4);
+  alone.take_chunks(2, [&done](std::int64_t begin, std::int64_t end) { done += static_cast<int>(end - begin); });
   EXPECT_EQ(done, 100);
 }
 

@@ -10,11 +10,33 @@
 namespace erg {
 namespace {
 
-Parameter chance() { return real_parameter("p_sand", "Deposition", "", 0.6, 0, 1, "Chance."); }
-Parameter steps() { return integer_parameter("steps", "Steps", "", 1000, 0, 1'000'000'000, "Steps."); }
-Parameter neighbours() { return choice_parameter("neighbours", "Neighbours", "4", {"4", "8"}, "Where sand slides."); }
-Parameter boundary() { return choice_parameter("boundary", "Boundary", "torus", {"torus", "open"}, "Edges."); }
-Parameter forced() { return boolean_parameter("forced", "Forced", false, "Poll on."); }
+Parameter chance() {
+  return {
+      .key = "p_sand", .label = "Deposition", .default_value = 0.6, .minimum = 0, .maximum = 1, .meaning = "Chance."};
+}
+Parameter steps() {
+  return {.key = "steps",
+          .label = "Steps",
+          .default_value = 1000,
+          .minimum = 0,
+          .maximum = 1'000'000'000,
+          .meaning = "Steps."};
+}
+Parameter neighbours() {
+  return {.key = "neighbours",
+          .label = "Neighbours",
+          .default_value = "4",
+          .choices = {"4", "8"},
+          .meaning = "Where sand slides."};
+}
+Parameter boundary() {
+  return {.key = "boundary",
+          .label = "Boundary",
+          .default_value = "torus",
+          .choices = {"torus", "open"},
+          .meaning = "Edges."};
+}
+Parameter forced() { return {.key = "forced", .label = "Forced", .default_value = false, .meaning = "Poll on."}; }
 
 std::string problem(const Parameter& parameter, const ParameterValue& value) {
   const auto mistake = check_value(parameter, value, "a.json:3");
@@ -44,7 +66,7 @@ TEST(Parameters, KindsDoNotMix) {
   EXPECT_EQ(problem(forced(), std::int64_t{1}), "a.json:3: forced is 1; expected true or false");
   EXPECT_EQ(problem(boundary(), 2.0), "a.json:3: boundary is 2; expected torus, open");
   EXPECT_EQ(problem(steps(), 1.5), "a.json:3: steps is 1.5; expected a whole number, 0 to 1000000000");
-  EXPECT_EQ(problem(path_parameter("image", "Picture", "Heights."), false),
+  EXPECT_EQ(problem(Parameter{.key = "image", .label = "Picture", .default_value = "", .meaning = "Heights."}, false),
             "a.json:3: image is false; expected the path of a file");
 }
 
@@ -93,7 +115,8 @@ TEST(Parameters, WhatCannotBeReadIsRefused) {
 
 TEST(Parameters, TextOfAValueReadsBackToIt) {
   for (const double number : {1.0 / 3, 0.1, 1e-300, 1e300, 33.7, 5.0, -0.0, 0x1.fffffffffffffp-2}) {
-    const Parameter any = real_parameter("x", "X", "", 0, -1e308, 1e308, "Any.");
+    const Parameter any{
+        .key = "x", .label = "X", .default_value = 0.0, .minimum = -1e308, .maximum = 1e308, .meaning = "Any."};
     EXPECT_EQ(std::get<double>(parse_value(any, value_text(number), "x")), number) << value_text(number);
   }
   EXPECT_EQ(value_text(1.0 / 3), "0.3333333333333333");
@@ -116,6 +139,25 @@ TEST(Parameters, StartAtTheirDefaults) {
   EXPECT_TRUE(values.is_default("p_sand"));
 }
 
+TEST(Parameters, TheDefaultsTypeIsTheKind) {
+  EXPECT_EQ(chance().kind(), ParameterKind::real);
+  EXPECT_EQ(steps().kind(), ParameterKind::integer);
+  EXPECT_EQ(forced().kind(), ParameterKind::boolean);
+  EXPECT_EQ(boundary().kind(), ParameterKind::choice);
+  EXPECT_EQ((Parameter{.key = "image", .default_value = ""}.kind()), ParameterKind::path);
+  EXPECT_EQ((Parameter{.key = "growth", .default_value = PiecewiseLinear{{{0, 0}, {1, 1}}}}.kind()),
+            ParameterKind::curve);
+}
+
+TEST(Parameters, CopiesOfValuesShareTheDeclarations) {
+  const ParameterValues values({chance(), steps()});
+  ParameterValues copy = values;
+  copy.set("p_sand", 0.1);
+  EXPECT_EQ(&copy.declared(), &values.declared());
+  EXPECT_EQ(&ParameterValues(values.declarations()).declared(), &values.declared());
+  EXPECT_NE(&ParameterValues({chance(), steps()}).declared(), &values.declared());
+}
+
 TEST(Parameters, ARefusedValueChangesNothing) {
   ParameterValues values({chance(), steps()});
   const ParameterValues before = values;
@@ -127,7 +169,8 @@ TEST(Parameters, ARefusedValueChangesNothing) {
 }
 
 TEST(Parameters, MinusZeroIsKeptAsZero) {
-  ParameterValues values({real_parameter("x", "X", "", 1, -1, 1, "Any.")});
+  ParameterValues values(
+      {{.key = "x", .label = "X", .default_value = 1.0, .minimum = -1, .maximum = 1, .meaning = "Any."}});
   values.set("x", -0.0);
   EXPECT_FALSE(std::signbit(values.real("x")));
 }
@@ -152,7 +195,12 @@ TEST(Parameters, SayWhatTheyAccept) {
   EXPECT_EQ(accepted_text(boundary()), "torus, open");
   EXPECT_EQ(accepted_text(forced()), "true or false");
   // Bounds of whole numbers are never written with an exponent.
-  EXPECT_EQ(accepted_text(integer_parameter("seed", "Seed", "", 0, 0, std::int64_t{1} << 53, "Seed.")),
+  EXPECT_EQ(accepted_text(Parameter{.key = "seed",
+                                    .label = "Seed",
+                                    .default_value = 0,
+                                    .minimum = 0,
+                                    .maximum = std::int64_t{1} << 53,
+                                    .meaning = "Seed."}),
             "a whole number, 0 to 9007199254740992");
 }
 

@@ -31,7 +31,16 @@ TEST(PiecewiseLinear, IsReadAsItIsWritten) {
 }
 
 Parameter declared() {
-  return curve_parameter("growth", "Growth", "1/yr", growth, {"balance, m/yr", -2, 2}, -1, 1, "How plants grow.");
+  return {.key = "growth",
+          .label = "Growth",
+          .unit = "1/yr",
+          .default_value = growth,
+          .minimum = -1,
+          .maximum = 1,
+          .x_label = "balance, m/yr",
+          .x_minimum = -2,
+          .x_maximum = 2,
+          .meaning = "How plants grow."};
 }
 
 TEST(CurveParameter, RefusesWhatIsNoCurveWithinItsRanges) {

@@ -160,9 +160,9 @@ TEST(LibraryUse, AConfigWhoseModelWasSwappedByHandIsRefused) {
       Config config = small_config(from.info.key);
       config.model = to.info.key;
       const std::string said = message([&] { Simulation(config).step(); });
-      bool same_values = from.parameters.size() == to.parameters.size();
-      for (std::size_t k = 0; same_values && k < from.parameters.size(); ++k) {
-        same_values = from.parameters[k].key == to.parameters[k].key;
+      bool same_values = from.parameters.all().size() == to.parameters.all().size();
+      for (std::size_t k = 0; same_values && k < from.parameters.all().size(); ++k) {
+        same_values = from.parameters.all()[k].key == to.parameters.all()[k].key;
       }
       EXPECT_EQ(said == "no error", same_values) << from.info.key << " to " << to.info.key << ": " << said;
     }
@@ -189,8 +189,8 @@ TEST(LibraryUse, WeatherThatCannotBeIsRefused) {
       [](Config& config) { config.wind.seasons.front().hold = 0; },
       [](Config& config) { config.wind.seasons.front().snowfall = -1; },
       [](Config& config) { config.wind.seasons.front().curve.first.x = nan; },
-      [](Config& config) { config.temperature.first = nan; },
-      [](Config& config) { config.temperature.curve.second.y = 5; }};
+      [](Config& config) { config.weather.temperature.first = nan; },
+      [](Config& config) { config.weather.temperature.curve.second.y = 5; }};
   for (std::size_t fault = 0; fault < faults.size(); ++fault) {
     Config config = small_config("snow_sintering");
     faults[fault](config);

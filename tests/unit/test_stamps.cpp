@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "core/stamp.h"
+#include "models/slab/slab_step.h"
+#include "sim/make_executor.h"
 #include "small_runs.h"
 
 namespace erg {
 
 using sim::Config;
+using sim::make_executor;
 using sim::Simulation;
 
 namespace {
@@ -130,14 +133,14 @@ TEST(Stamp, OfACoverDoesNotHideAnotherReposeFromAnExecutor) {
     law.cover = &cover;
     law.covered = {20, 28};
     auto executor = make_executor({.name = "cpu", .threads = 1});
-    executor->step(terrain, law, {270, 3}, {1, 0});
+    move_slabs(*executor, terrain, law, {270, 3}, {1, 0});
     if (!same_executor) {
-      executor->settle(terrain);
+      executor->sync_to_host(terrain);
       executor = make_executor({.name = "cpu", .threads = 1});
     }
     law.covered = {3, 4};
-    executor->step(terrain, law, {270, 3}, {1, 1});
-    executor->settle(terrain);
+    move_slabs(*executor, terrain, law, {270, 3}, {1, 1});
+    executor->sync_to_host(terrain);
     return state_hash(terrain);
   };
   EXPECT_EQ(hash(true), hash(false));

@@ -1,11 +1,11 @@
-#include "transport/sub_sweep.h"
+#include "models/slab/sub_sweep.h"
 
 #include <gtest/gtest.h>
 
 #include "core/grid.h"
 #include "forcing/wind_frame.h"
-#include "transport/slab_cell.h"
-#include "transport/slab_law.h"
+#include "models/slab/slab_cell.h"
+#include "models/slab/slab_law.h"
 
 namespace erg {
 namespace {

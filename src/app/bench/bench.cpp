@@ -10,8 +10,9 @@
 #include "app/bench/model_stage.h"
 #include "core/random.h"
 #include "core/units.h"
-#include "models/slab_model.h"
+#include "models/slab/slab_model.h"
 #include "process/allowance.h"
+#include "sim/make_executor.h"
 #include "sim/simulation.h"
 
 namespace erg::app {
@@ -37,11 +38,13 @@ struct Scene {
 class LawRun {
  public:
   LawRun(const Scene& scene, const ExecutorOptions& options)
-      : scene_(scene), terrain_(scene.terrain), executor_(make_executor(options)) {}
+      : scene_(scene), terrain_(scene.terrain), executor_(sim::make_executor(options)) {}
 
-  std::int64_t step() { return executor_->step(terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls; }
+  std::int64_t step() {
+    return move_slabs(*executor_, terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls;
+  }
   const Terrain& terrain() {
-    executor_->settle(terrain_);
+    executor_->sync_to_host(terrain_);
     return terrain_;
   }
   Executor& executor() { return *executor_; }

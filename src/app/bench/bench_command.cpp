@@ -12,13 +12,14 @@
 #include "app/cli/measured_run.h"
 #include "app/cli/options.h"
 #include "app/cli/text_table.h"
+#include "compute/executor.h"
 #include "core/number_text.h"
 #include "core/terrain.h"
 #include "forcing/bearing.h"
-#include "models/grains.h"
+#include "models/grains/grains.h"
 #include "models/model.h"
 #include "render/gl_context.h"
-#include "transport/executor.h"
+#include "sim/make_executor.h"
 
 namespace erg::app {
 namespace {
@@ -106,7 +107,7 @@ std::string render_text(const std::vector<int>& grids, const std::string& contex
 
 /// Why this executor cannot be measured here; empty where it can.
 std::string why_not(const std::string& executor) {
-  const auto probe = make_executor({.name = executor, .threads = 1});
+  const auto probe = sim::make_executor({.name = executor, .threads = 1});
   return probe->name() == executor ? std::string() : probe->take_notice();
 }
 

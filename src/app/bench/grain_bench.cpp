@@ -8,7 +8,7 @@
 
 #include "app/bench/bench.h"
 #include "app/cli/text_table.h"
-#include "models/grains.h"
+#include "models/grains/grains.h"
 #include "sim/simulation.h"
 
 namespace erg::app {

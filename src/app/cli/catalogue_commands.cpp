@@ -15,8 +15,8 @@ namespace erg::app {
 namespace {
 
 std::string condition_text(const Parameter& parameter) {
-  if (parameter.only_when.size() < 2) return "";
-  const std::span<const std::string> condition = parameter.only_when;
+  if (parameter.active_if.size() < 2) return "";
+  const std::span<const std::string> condition = parameter.active_if;
   return " Only with " + condition.front() + " " + join(condition.subspan(1), " or ") + ".";
 }
 
@@ -24,7 +24,7 @@ TextTable parameter_table(const Parameters& parameters) {
   TextTable table;
   table.heading = {"key", "default", "accepts", "unit", "meaning", "source"};
   for (const Parameter& parameter : parameters) {
-    table.rows.push_back({parameter.key, value_text(parameter.standard), accepted_text(parameter),
+    table.rows.push_back({parameter.key, value_text(parameter.default_value), accepted_text(parameter),
                           unit_text(parameter.unit), parameter.meaning + condition_text(parameter), parameter.source});
   }
   return table;
@@ -48,10 +48,7 @@ std::string start_text(const ModelStart& start) {
 }
 
 std::string weather_text(const ModelInfo& info) {
-  std::vector<std::string> asked;
-  if (info.asks_temperature) asked.emplace_back("temperature");
-  if (info.asks_snowfall) asked.emplace_back("snowfall");
-  return asked.empty() ? "nothing" : join(asked, ", ");
+  return info.channels.empty() ? "nothing" : join(info.channels, ", ");
 }
 
 ExitCode print_models() {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "transport/executor.h"
+#include "compute/executor.h"
 
 namespace erg::app {
 

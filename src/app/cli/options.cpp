@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <vector>
 
+#include "compute/executor.h"
 #include "core/errors.h"
 #include "core/number_text.h"
-#include "transport/executor.h"
 
 namespace erg::app {
 namespace {

@@ -18,7 +18,7 @@
 #include "io/config/config_file.h"
 #include "io/formats/jpeg.h"
 #include "io/formats/png.h"
-#include "models/grains.h"
+#include "models/grains/grains.h"
 #include "render/gl_context.h"
 
 namespace erg::app {
@@ -143,7 +143,7 @@ void add_render_command(CLI::App& program, Action& action) {
   command->add_option("SOURCE", request->source, "Config file, name of a preset, or checkpoint")->required();
   command->add_option("--out", request->out, "PNG or JPEG file to write")->required();
   command->add_option("--steps", request->steps, "Step to draw (default: a config's last step; a checkpoint's own)")
-      ->check(whole_number(0, sim::most_steps));
+      ->check(whole_number(0, most_steps));
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

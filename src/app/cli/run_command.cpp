@@ -27,7 +27,6 @@
 namespace erg::app {
 
 using io::RunMeter;
-using sim::most_steps;
 using sim::Simulation;
 
 namespace {

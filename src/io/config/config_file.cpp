@@ -33,7 +33,7 @@ std::string to_config_folder(const std::string& image, const fs::path& config_pa
 template <typename Change>
 void for_paths(ParameterValues& values, const Change& change) {
   for (const Parameter& parameter : values.declared()) {
-    if (parameter.kind == ParameterKind::path) values.set(parameter.key, change(values.text(parameter.key)));
+    if (parameter.kind() == ParameterKind::path) values.set(parameter.key, change(values.text(parameter.key)));
   }
 }
 

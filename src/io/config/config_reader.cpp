@@ -1,7 +1,6 @@
 #include "io/config/config_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -20,30 +19,43 @@ using sim::ConfigGroup;
 
 namespace {
 
+/// A pair of numbers as a point; nothing for any other value.
+std::optional<CurvePoint> point(const JsonNode& node) {
+  const JsonNode::Array* pair = node.array();
+  if (pair == nullptr || pair->size() != 2) return std::nullopt;
+  const auto x = (*pair)[0].number();
+  const auto y = (*pair)[1].number();
+  if (!x || !y) return std::nullopt;
+  return CurvePoint{*x + 0.0, *y + 0.0};  // turns -0 into 0
+}
+
 /// A list of pairs of numbers as a curve; nothing for any other value.
 std::optional<ParameterValue> vertices(const JsonNode& node) {
   if (node.array() == nullptr) return std::nullopt;
   PiecewiseLinear curve;
   for (const JsonNode& entry : *node.array()) {
-    const JsonNode::Array* pair = entry.array();
-    if (pair == nullptr || pair->size() != 2) return std::nullopt;
-    const auto x = (*pair)[0].number();
-    const auto y = (*pair)[1].number();
-    if (!x || !y) return std::nullopt;
-    curve.vertices.push_back({*x + 0.0, *y + 0.0});  // turns -0 into 0
+    const auto vertex = point(entry);
+    if (!vertex) return std::nullopt;
+    curve.vertices.push_back(*vertex);
   }
   return curve;
 }
 
 /// A JSON value as a parameter's value; nothing for null, objects, and lists that are no curve.
 std::optional<ParameterValue> parameter_value(const Parameter& parameter, const JsonNode& node) {
-  if (parameter.kind == ParameterKind::curve) return vertices(node);
+  if (parameter.kind() == ParameterKind::curve) return vertices(node);
+  if (parameter.kind() == ParameterKind::bezier) {
+    const auto points = vertices(node);
+    if (!points || std::get<PiecewiseLinear>(*points).vertices.size() != 2) return std::string();  // which is none
+    const std::vector<CurvePoint>& two = std::get<PiecewiseLinear>(*points).vertices;
+    return BezierCurve{two[0], two[1]};
+  }
   if (const auto* flag = std::get_if<bool>(&node.value)) return *flag;
   if (const auto* real = std::get_if<double>(&node.value)) return *real;
   if (const std::string* text = node.text()) return *text;
   const auto* whole = std::get_if<std::int64_t>(&node.value);
   if (whole == nullptr) return std::nullopt;
-  if (parameter.kind == ParameterKind::choice) return std::to_string(*whole);  // a choice between numbers: 4 is "4"
+  if (parameter.kind() == ParameterKind::choice) return std::to_string(*whole);  // a choice between numbers: 4 is "4"
   return *whole;
 }
 
@@ -105,16 +117,19 @@ class ConfigReader {
     for (const ConfigGroup& group : config_groups()) {
       if ((config().*group.values).find(key) != nullptr) return "it belongs in \"" + group.key + "\"";
     }
-    if (key == "bearing" || key == "strength" || key == "spread" || key == "hold" || key == "seasons")
-      return "it belongs in \"wind\"";
+    if (key == "seasons" || constant_wind_columns().find(key) != nullptr) return "it belongs in \"wind\"";
     return suggestion(key, known);
   }
 
   void read_root(const JsonNode::Object& root) {
     read_version(root);
     const bool model_known = read_model(root);
-    check_keys(root,
-               {"erg", "title", "description", "model", "grid", "scene", "parameters", "wind", "temperature", "run"});
+    std::vector<std::string> known{"erg", "title", "description", "model", "grid", "scene", "parameters", "wind"};
+    for (const Channel& channel : channels()) {
+      if (channel.over_run != nullptr) known.push_back(channel.declared.key);
+    }
+    known.emplace_back("run");
+    check_keys(root, known);
     read_text(root, "title", config().title);
     read_text(root, "description", config().description);
     for (const ConfigGroup& group : config_groups()) {
@@ -122,10 +137,12 @@ class ConfigReader {
       if (node == nullptr || (group.key == "parameters" && !model_known)) continue;
       read_group(*node, group.key, config().*group.values);
     }
-    if (const JsonNode* wind = find(root, "wind")) read_wind(*wind, !model_known || info().asks_snowfall);
-    if (const JsonNode* temperature = find(root, "temperature")) {
-      check_asked_for(*temperature, "temperature", !model_known || info().asks_temperature);
-      read_temperature(*temperature);
+    if (const JsonNode* wind = find(root, "wind")) read_wind(*wind, model_known);
+    for (const Channel& channel : channels()) {
+      const JsonNode* node = channel.over_run != nullptr ? find(root, channel.declared.key) : nullptr;
+      if (node == nullptr) continue;
+      if (model_known) check_used(*node, channel);
+      read_course(*node, channel);
     }
     check_picture(root, "scene", config().scene, reading_.image_line);
     check_picture(root, "parameters", config().parameters, reading_.model_image_line);
@@ -134,10 +151,10 @@ class ConfigReader {
   /// What the config's model declares; the default model's where none is named.
   const ModelInfo& info() { return find_model(config().model).info; }
 
-  /// Reports a value of the weather that the model does not ask for.
-  void check_asked_for(const JsonNode& node, const std::string& key, bool asked) {
-    if (asked) return;
-    const Mistake mistake = sim::not_asked_for(key, config().model);
+  /// Reports a value of the weather that the model does not use.
+  void check_used(const JsonNode& node, const Channel& channel) {
+    if (uses_channel(info().channels, channel)) return;
+    const Mistake mistake = sim::not_asked_for(channel.declared.key, config().model);
     mistakes().add(node.line, mistake.problem, mistake.remedy);
   }
 
@@ -189,21 +206,75 @@ class ConfigReader {
     const JsonNode::Object* members = object(node, group);
     if (members == nullptr) return;
     check_keys(*members, keys_of(values.declared()));
-    values = read_values(*members, values.declared());
+    values = read_values(*members, values.declarations());
   }
 
   /// The value if the parameter accepts it; else reports why not.
   std::optional<ParameterValue> checked(const Parameter& parameter, const JsonNode& node) {
+    if (parameter.kind() == ParameterKind::rows) return checked_rows(parameter, node);
+    if (parameter.notation != nullptr && node.text() != nullptr) return checked_text(parameter, node);
     const auto value = parameter_value(parameter, node);
     if (!value) {
       mistakes().add(node.line, parameter.key + " is " + node.shown(), "expected " + accepted_with_unit(parameter));
       return std::nullopt;
     }
     if (const auto mistake = check_value(parameter, *value, "")) {
-      mistakes().add(node.line, mistake->problem, mistake->remedy);
+      // A list that a syntax error cut short says nothing of what was meant.
+      if (whole() || parameter.kind() != ParameterKind::bezier) {
+        mistakes().add(node.line, mistake->problem, mistake->remedy);
+      }
       return std::nullopt;
     }
     return value;
+  }
+
+  /// A number that people write in another way.
+  std::optional<ParameterValue> checked_text(const Parameter& parameter, const JsonNode& node) {
+    try {
+      return parse_value(parameter, *node.text(), "");
+    } catch (const InputError& error) {
+      const Mistake& mistake = error.mistakes().front();
+      mistakes().add(node.line, mistake.problem, mistake.remedy);
+      return std::nullopt;
+    }
+  }
+
+  /// The entries of a list of rows; null, and reported, where it is none or has none.
+  const JsonNode::Array* entries(const JsonNode& node, const std::string& key, const std::string& row_name) {
+    const JsonNode::Array* list = node.array();
+    if (list == nullptr) {
+      mistakes().add(node.line, key + " is " + node.shown(),
+                     "expected a list of " + row_name + "s, [{ ... }, { ... }]");
+    } else if (list->empty()) {
+      if (whole()) mistakes().add(node.line, key + " is an empty list", "give at least one " + row_name);
+      return nullptr;
+    }
+    return list;
+  }
+
+  /// One entry under its columns; those that are no object have the defaults.
+  ParameterValues read_row(const JsonNode& node, const std::string& row_name, const Declarations& columns) {
+    const JsonNode::Object* members = object(node, "a " + row_name);
+    if (members == nullptr) return ParameterValues(columns);
+    check_keys(*members, keys_of(columns));
+    return read_values(*members, columns);
+  }
+
+  std::optional<ParameterValue> checked_rows(const Parameter& parameter, const JsonNode& node) {
+    RowList list;
+    if (node.array() == nullptr || !node.array()->empty() || parameter.minimum > 0) {
+      const JsonNode::Array* rows = entries(node, parameter.key, parameter.row_name);
+      if (rows == nullptr) return std::nullopt;
+      const auto most = static_cast<std::size_t>(parameter.maximum);
+      for (const JsonNode& row : *rows) {
+        if (list.rows.size() <= most) list.rows.push_back(read_row(row, parameter.row_name, parameter.columns));
+      }
+    }
+    if (const auto mistake = check_value(parameter, list, "")) {
+      mistakes().add(node.line, mistake->problem, mistake->remedy);
+      return std::nullopt;
+    }
+    return list;
   }
 
   /// Notes where a group names its picture, and reports one that is wanted but not named.
@@ -214,75 +285,55 @@ class ConfigReader {
     const JsonNode* given = find(*members->object(), path->key);
     if (given != nullptr) line = given->line;
     if (!whole() || (given != nullptr && (given->text() == nullptr || !given->text()->empty()))) return;
-    const std::string& choice = path->only_when.front();
+    const std::string& choice = path->active_if.front();
     const JsonNode* wanting = find(*members->object(), choice);
     mistakes().add(wanting != nullptr ? wanting->line : members->line,
                    choice + " " + quote(values.text(choice)) + " needs a picture",
                    "add \"" + path->key + "\": \"picture.png\" beside it");
   }
 
-  /// `snows`: whether seasons may have snowfall.
-  void read_wind(const JsonNode& node, bool snows) {
+  void read_wind(const JsonNode& node, bool model_known) {
     const JsonNode::Object* wind = object(node, "wind");
     if (wind == nullptr) return;
-    check_keys(*wind, {"bearing", "strength", "spread", "hold", "seasons"});
+    const Season standard = sim::starting_wind(info().start).seasons.front();
+    const Declarations constant = constant_wind_columns(standard);
+    std::vector<std::string> known = keys_of(constant);
+    known.emplace_back("seasons");
+    check_keys(*wind, known);
     const JsonNode* seasons = find(*wind, "seasons");
     if (seasons == nullptr) {
-      Season& season = config().wind.seasons.front();
-      read_bearing(*wind, season);
-      read_strength(*wind, "strength", season.first);
-      season.last = season.first;
-      read_swing(*wind, season);
+      config().wind.seasons.front() = season_of(read_values(*wind, constant));
       return;
     }
-    for (const char* key : {"bearing", "strength", "spread", "hold"}) {
-      const JsonNode* beside = find(*wind, key);
+    for (const Parameter& column : constant) {
+      const JsonNode* beside = find(*wind, column.key);
       if (beside == nullptr) continue;
-      mistakes().add(beside->line, quote(key) + " stands beside \"seasons\"", "move it into each season");
+      mistakes().add(beside->line, quote(column.key) + " stands beside \"seasons\"", "move it into each season");
     }
-    read_seasons(*seasons, snows);
-  }
-
-  void read_seasons(const JsonNode& node, bool snows) {
-    const JsonNode::Array* list = node.array();
-    if (list == nullptr) {
-      mistakes().add(node.line, "seasons is " + node.shown(), "expected a list of seasons, [{ ... }, { ... }]");
-      return;
-    }
-    if (list->empty()) {
-      if (whole()) mistakes().add(node.line, "seasons is an empty list", "give at least one season");
-      return;
-    }
+    const JsonNode::Array* list = entries(*seasons, "seasons", "season");
+    if (list == nullptr) return;
+    const Declarations columns = season_columns(standard);
     config().wind.seasons.clear();
-    for (const JsonNode& entry : *list) config().wind.seasons.push_back(read_season(entry, snows));
+    for (const JsonNode& entry : *list) config().wind.seasons.push_back(read_season(entry, columns, model_known));
   }
 
-  Season read_season(const JsonNode& node, bool snows) {
-    Season season = sim::starting_wind(info().start).seasons.front();
-    const JsonNode::Object* members = object(node, "a season");
-    if (members == nullptr) return season;
-    check_keys(*members, {"bearing", "strength", "first", "last", "spread", "hold", "steps", "curve", "snowfall"});
-    read_bearing(*members, season);
-    read_strengths(*members, season);
-    if (const JsonNode* snowfall = find(*members, "snowfall")) check_asked_for(*snowfall, "snowfall", snows);
-    read_swing(*members, season);
-    const ParameterValues values =
-        read_values(*members, {sim::season_steps_parameter(), sim::season_snowfall_parameter()});
-    season.steps = values.integer("steps");
-    season.snowfall = values.real("snowfall");
-    if (const JsonNode* curve = find(*members, "curve")) read_curve(*curve, season.curve);
-    return season;
-  }
-
-  void read_swing(const JsonNode::Object& members, Season& season) {
-    const ParameterValues values =
-        read_values(members, {sim::season_spread_parameter(info().start), sim::season_hold_parameter()});
-    season.spread = values.real("spread");
-    season.hold = values.integer("hold");
+  Season read_season(const JsonNode& node, const Declarations& columns, bool model_known) {
+    if (const JsonNode::Object* members = node.object()) {
+      const JsonNode* same = find(*members, "strength");
+      if (same != nullptr && (find(*members, "first") != nullptr || find(*members, "last") != nullptr)) {
+        mistakes().add(same->line, "\"strength\" stands beside \"first\" or \"last\"",
+                       "keep \"strength\" for one that does not change, else \"first\" and \"last\"");
+      }
+      for (const Channel& channel : channels()) {
+        const JsonNode* given = channel.of_season != nullptr ? find(*members, channel.declared.key) : nullptr;
+        if (given != nullptr && model_known) check_used(*given, channel);
+      }
+    }
+    return season_of(read_row(node, "season", columns));
   }
 
   /// Those of the declared values that stand among the members; the others have their defaults.
-  ParameterValues read_values(const JsonNode::Object& members, const Parameters& declared) {
+  ParameterValues read_values(const JsonNode::Object& members, const Declarations& declared) {
     ParameterValues values(declared);
     for (const Parameter& parameter : declared) {
       const JsonNode* member = find(members, parameter.key);
@@ -292,101 +343,18 @@ class ConfigReader {
     return values;
   }
 
-  /// A number for a temperature that does not change, or its two ends and the curve between them.
-  void read_temperature(const JsonNode& node) {
-    Temperature& temperature = config().temperature;
+  /// A number for a value that does not change over the run, or its two ends and the curve between them.
+  void read_course(const JsonNode& node, const Channel& channel) {
+    Course& course = config().weather.*channel.over_run;
     if (node.number()) {
-      read_degrees(node, "temperature", temperature.first);
-      temperature.last = temperature.first;
+      if (const auto value = checked(channel.declared, node)) course.first = course.last = *node.number() + 0.0;
       return;
     }
-    const JsonNode::Object* members = object(node, "temperature");
+    const JsonNode::Object* members = object(node, channel.declared.key);
     if (members == nullptr) return;
-    check_keys(*members, {"first", "last", "curve"});
-    const JsonNode* first = find(*members, "first");
-    const JsonNode* last = find(*members, "last");
-    if (first != nullptr) read_degrees(*first, "first", temperature.first);
-    temperature.last = temperature.first;
-    if (last != nullptr) read_degrees(*last, "last", temperature.last);
-    if (const JsonNode* curve = find(*members, "curve")) read_curve(*curve, temperature.curve);
-  }
-
-  void read_degrees(const JsonNode& node, const std::string& key, double& temperature) {
-    Parameter parameter = sim::temperature_parameter();
-    parameter.key = key;
-    ParameterValues values({parameter});
-    if (const auto value = checked(parameter, node)) values.set(key, *value);
-    temperature = values.real(key);
-  }
-
-  void read_strengths(const JsonNode::Object& members, Season& season) {
-    const JsonNode* same = find(members, "strength");
-    const JsonNode* first = find(members, "first");
-    const JsonNode* last = find(members, "last");
-    if (same != nullptr && (first != nullptr || last != nullptr)) {
-      mistakes().add(same->line, "\"strength\" stands beside \"first\" or \"last\"",
-                     "keep \"strength\" for one that does not change, else \"first\" and \"last\"");
-    }
-    read_strength(members, "strength", season.first);
-    season.last = season.first;
-    read_strength(members, "first", season.first);
-    read_strength(members, "last", season.last);
-    // One end alone means a strength that does not change.
-    if (first != nullptr && last == nullptr) season.last = season.first;
-    if (last != nullptr && first == nullptr) season.first = season.last;
-  }
-
-  void read_strength(const JsonNode::Object& members, const std::string& key, double& strength) {
-    const JsonNode* node = find(members, key);
-    if (node == nullptr) return;
-    Parameter parameter = sim::strength_parameter(info().start);
-    parameter.key = key;
-    ParameterValues values({parameter});
-    if (const auto value = checked(parameter, *node)) values.set(key, *value);
-    strength = values.real(key);
-  }
-
-  void read_bearing(const JsonNode::Object& members, Season& season) {
-    const JsonNode* node = find(members, "bearing");
-    if (node == nullptr) return;
-    if (const std::string* text = node->text()) {
-      try {
-        season.bearing = parse_bearing(*text, "");
-      } catch (const InputError& error) {
-        const Mistake& mistake = error.mistakes().front();
-        mistakes().add(node->line, mistake.problem, mistake.remedy);
-      }
-      return;
-    }
-    const std::optional<double> number = node->number();
-    if (number && std::abs(*number) <= largest_bearing) {
-      season.bearing = fold_bearing(*number);
-    } else {
-      mistakes().add(node->line, "bearing is " + node->shown(), std::string("expected ") + accepted_bearings);
-    }
-  }
-
-  static std::optional<CurvePoint> curve_point(const JsonNode& node) {
-    const JsonNode::Array* pair = node.array();
-    if (pair == nullptr || pair->size() != 2) return std::nullopt;
-    const auto x = (*pair)[0].number();
-    const auto y = (*pair)[1].number();
-    const auto fits = [](std::optional<double> number) { return number && *number >= 0 && *number <= 1; };
-    if (!fits(x) || !fits(y)) return std::nullopt;
-    return CurvePoint{*x + 0.0, *y + 0.0};  // turns -0 into 0
-  }
-
-  void read_curve(const JsonNode& node, BezierCurve& curve) {
-    const JsonNode::Array* points = node.array();
-    const bool two = points != nullptr && points->size() == 2;
-    const auto first = two ? curve_point(points->front()) : std::nullopt;
-    const auto second = two ? curve_point(points->back()) : std::nullopt;
-    if (first && second) {
-      curve = {*first, *second};
-    } else if (whole()) {
-      mistakes().add(node.line, "curve is not two points of the unit square",
-                     "expected two control points, [[x, y], [x, y]], each number 0 to 1");
-    }
+    const Declarations columns = course_columns(channel);
+    check_keys(*members, keys_of(columns));
+    course = course_of(read_values(*members, columns));
   }
 
   JsonTree tree_;

@@ -12,9 +12,6 @@ namespace erg::io {
 
 using sim::grid_parameters;
 using sim::scene_parameters;
-using sim::season_hold_parameter;
-using sim::season_spread_parameter;
-using sim::strength_parameter;
 
 namespace {
 
@@ -31,8 +28,9 @@ Json object_schema(Json properties, Json required = Json::array()) {
 
 std::string description(const Parameter& parameter) {
   std::string text = parameter.meaning;
+  if (parameter.notation != nullptr) return text.substr(0, text.size() - 1) + ": " + accepted_text(parameter) + ".";
   if (!parameter.unit.empty()) text += " Unit: " + unit_text(parameter.unit) + ".";
-  if (parameter.kind == ParameterKind::curve) text += " Vertices [x, y]; x: " + parameter.across + ".";
+  if (parameter.kind() == ParameterKind::curve) text += " Vertices [x, y]; x: " + parameter.x_label + ".";
   if (!parameter.source.empty()) text += " Source: " + parameter.source + ".";
   return text;
 }
@@ -52,26 +50,39 @@ Json number_schema(double minimum, double maximum) {
   return {{"type", "number"}, {"minimum", json_value(minimum)}, {"maximum", json_value(maximum)}};
 }
 
+/// A pair [x, y].
+Json point_schema(const Json& x, const Json& y) {
+  Json point = {{"type", "array"}, {"items", false}};
+  point["prefixItems"] = Json::array({x, y});
+  point.update({{"minItems", 2}, {"maxItems", 2}});
+  return point;
+}
+
 /// A list of vertices [x, y].
 void add_vertices_schema(const Parameter& parameter, Json& schema) {
-  Json vertex = {{"type", "array"}, {"items", false}};
-  vertex["prefixItems"] = Json::array({number_schema(parameter.across_minimum, parameter.across_maximum),
-                                       number_schema(parameter.minimum, parameter.maximum)});
-  vertex.update({{"minItems", 2}, {"maxItems", 2}});
   schema["type"] = "array";
-  schema["items"] = std::move(vertex);
+  schema["items"] = point_schema(number_schema(parameter.x_minimum, parameter.x_maximum),
+                                 number_schema(parameter.minimum, parameter.maximum));
   schema["minItems"] = 2;
   schema["maxItems"] = most_vertices;
 }
+
+Json group_schema(const Parameters& declared);
 
 Json parameter_schema(const Parameter& parameter) {
   Json schema;
   schema["title"] = parameter.label;
   schema["description"] = description(parameter);
-  switch (parameter.kind) {
+  if (parameter.notation != nullptr) {  // a number, or text
+    const Json text = {{"type", "string"}};
+    schema["anyOf"] = Json::array({number_schema(parameter.minimum, parameter.maximum), text});
+    schema["default"] = json_value(parameter.default_value);
+    return schema;
+  }
+  switch (parameter.kind()) {
     case ParameterKind::real:
     case ParameterKind::integer:
-      schema["type"] = parameter.kind == ParameterKind::real ? "number" : "integer";
+      schema["type"] = parameter.kind() == ParameterKind::real ? "number" : "integer";
       schema["minimum"] = json_value(parameter.minimum);
       schema["maximum"] = json_value(parameter.maximum);
       break;
@@ -87,8 +98,19 @@ Json parameter_schema(const Parameter& parameter) {
     case ParameterKind::curve:
       add_vertices_schema(parameter, schema);
       break;
+    case ParameterKind::bezier:
+      schema["type"] = "array";
+      schema["items"] = point_schema(number_schema(0, 1), number_schema(0, 1));
+      schema.update({{"minItems", 2}, {"maxItems", 2}});
+      return schema;
+    case ParameterKind::rows:
+      schema["type"] = "array";
+      schema["items"] = group_schema(parameter.columns);
+      schema["minItems"] = json_value(parameter.minimum);
+      schema["maxItems"] = json_value(parameter.maximum);
+      break;
   }
-  schema["default"] = json_value(parameter, parameter.standard);
+  schema["default"] = json_value(parameter, parameter.default_value);
   return schema;
 }
 
@@ -98,46 +120,8 @@ Json group_schema(const Parameters& declared) {
   return object_schema(std::move(properties));
 }
 
-Json bearing_schema() {
-  Json number;
-  number["type"] = "number";
-  number["minimum"] = json_value(-largest_bearing);
-  number["maximum"] = json_value(largest_bearing);
-  Json text;
-  text["type"] = "string";
-  Json schema;
-  schema["title"] = "Bearing";
-  schema["description"] = std::string("Where the wind blows from: ") + accepted_bearings + ".";
-  schema["anyOf"] = Json::array({number, text});
-  schema["default"] = json_value(Season{}.bearing);
-  return schema;
-}
-
-Json curve_schema() {
-  const Json coordinate = {{"type", "number"}, {"minimum", 0}, {"maximum", 1}};
-  const Json point = {{"type", "array"}, {"items", coordinate}, {"minItems", 2}, {"maxItems", 2}};
-  Json schema = {{"title", "Curve"},
-                 {"description",
-                  "The two control points of the Bezier curve along which the value goes from first to last: time on "
-                  "x, change on y. Absent: a straight line."},
-                 {"type", "array"}};
-  schema.update({{"items", point}, {"minItems", 2}, {"maxItems", 2}});
-  return schema;
-}
-
 Json season_schema() {
-  const Json strength = parameter_schema(strength_parameter());
-  Json properties;
-  properties["bearing"] = bearing_schema();
-  properties["strength"] = strength;
-  properties["first"] = strength;
-  properties["last"] = strength;
-  properties["spread"] = parameter_schema(season_spread_parameter());
-  properties["hold"] = parameter_schema(season_hold_parameter());
-  properties["steps"] = parameter_schema(sim::season_steps_parameter());
-  properties["curve"] = curve_schema();
-  properties["snowfall"] = parameter_schema(sim::season_snowfall_parameter());
-  Json schema = object_schema(std::move(properties));
+  Json schema = group_schema(season_columns());
   const Json has_first = {{"required", {"first"}}};
   const Json has_last = {{"required", {"last"}}};
   schema["if"] = {{"required", {"strength"}}};
@@ -146,38 +130,30 @@ Json season_schema() {
 }
 
 Json wind_schema() {
-  Json constant;
-  constant["bearing"] = bearing_schema();
-  constant["strength"] = parameter_schema(strength_parameter());
-  constant["spread"] = parameter_schema(season_spread_parameter());
-  constant["hold"] = parameter_schema(season_hold_parameter());
   Json list = {{"type", "array"}, {"minItems", 1}};
   list["items"] = season_schema();
   Json seasons;
   seasons["seasons"] = std::move(list);
   Json schema;
   schema["description"] = "The wind: constant, or a list of seasons that repeats.";
-  schema["anyOf"] = Json::array({object_schema(std::move(constant)), object_schema(std::move(seasons), {"seasons"})});
+  schema["anyOf"] =
+      Json::array({group_schema(constant_wind_columns()), object_schema(std::move(seasons), {"seasons"})});
   return schema;
 }
 
-Json temperature_schema() {
-  const Json degrees = parameter_schema(sim::temperature_parameter());
-  Json properties;
-  properties["first"] = degrees;
-  properties["last"] = degrees;
-  properties["curve"] = curve_schema();
+Json course_schema(const Channel& channel) {
   Json schema;
-  schema["description"] = "Temperature over the run: a number, or its first and last value and the curve between them.";
-  schema["anyOf"] = Json::array({degrees, object_schema(std::move(properties))});
+  schema["description"] =
+      channel.declared.label + " over the run: a number, or its first and last value and the curve between them.";
+  schema["anyOf"] = Json::array({parameter_schema(channel.declared), group_schema(course_columns(channel))});
   return schema;
 }
 
 /// The defaults of a group that are another model's own.
 void add_own_defaults(Json& properties, const std::string& group, const Parameters& own, const Parameters& usual) {
   for (std::size_t i = 0; i < own.size(); ++i) {
-    if (own[i].standard == usual[i].standard) continue;
-    properties[group]["properties"][own[i].key]["default"] = json_value(own[i], own[i].standard);
+    if (own[i].default_value == usual[i].default_value) continue;
+    properties[group]["properties"][own[i].key]["default"] = json_value(own[i], own[i].default_value);
   }
 }
 
@@ -196,9 +172,12 @@ Json model_rule(const ModelType& type) {
     wind["spread"]["default"] = json_value(start.spread);
     wind["seasons"]["items"]["properties"]["spread"]["default"] = json_value(start.spread);
   }
-  if (!type.info.asks_temperature) properties["temperature"] = false;
-  if (!type.info.asks_snowfall) {
-    properties["wind"]["properties"]["seasons"]["items"]["properties"]["snowfall"] = false;
+  for (const Channel& channel : channels()) {
+    if (uses_channel(type.info.channels, channel)) continue;
+    Json& refused = channel.over_run != nullptr
+                        ? properties[channel.declared.key]
+                        : properties["wind"]["properties"]["seasons"]["items"]["properties"][channel.declared.key];
+    refused = false;
   }
   Json rule;
   rule["if"]["properties"]["model"]["const"] = type.info.key;
@@ -220,7 +199,9 @@ std::string config_schema() {
   properties["scene"] = group_schema(scene_parameters());
   properties["parameters"] = {{"description", "The model's own parameters."}, {"type", "object"}};
   properties["wind"] = wind_schema();
-  properties["temperature"] = temperature_schema();
+  for (const Channel& channel : channels()) {
+    if (channel.over_run != nullptr) properties[channel.declared.key] = course_schema(channel);
+  }
   properties["run"] = group_schema(sim::run_parameters());
 
   Json schema;

@@ -25,7 +25,7 @@ Json group_json(const std::string& group, const ParameterValues& values) {
     const std::string full_key = group + "." + parameter.key;
     const bool always = std::ranges::find(always_written, full_key) != always_written.end() ||
                         (std::ranges::find(written_if_set, full_key) != written_if_set.end() &&
-                         values.is_set(parameter.key) && values.matters(parameter));
+                         values.is_set(parameter.key) && values.is_active(parameter));
     if (always || !values.is_default(parameter.key)) {
       json[parameter.key] = json_value(parameter, values.value(parameter.key));
     }
@@ -33,58 +33,33 @@ Json group_json(const std::string& group, const ParameterValues& values) {
   return json;
 }
 
-Json point_json(const CurvePoint& point) { return Json::array({json_value(point.x), json_value(point.y)}); }
-
-void add_curve(Json& json, const BezierCurve& curve) {
-  if (curve == BezierCurve{}) return;
-  json["curve"] = Json::array({point_json(curve.first), point_json(curve.second)});
-}
-
-/// What differs from the model's own wind.
-void add_swing(Json& json, const Season& season, const ModelInfo& model) {
-  if (season.spread != model.start.spread) json["spread"] = json_value(season.spread);
-  if (season.hold != Season{}.hold) json["hold"] = season.hold;
-}
-
-Json season_json(const Season& season, const ModelInfo& model) {
-  Json json;
-  json["bearing"] = json_value(season.bearing);
-  if (season.first == season.last) {
-    json["strength"] = json_value(season.first);
-  } else {
-    json["first"] = json_value(season.first);
-    json["last"] = json_value(season.last);
+/// A reader refuses what the model does not use.
+Season used_of(Season season, const ModelInfo& model) {
+  for (const Channel& channel : channels()) {
+    if (channel.of_season == nullptr || uses_channel(model.channels, channel)) continue;
+    season.*channel.of_season = std::get<double>(channel.declared.default_value);
   }
-  add_swing(json, season, model);
-  json["steps"] = season.steps;
-  if (model.asks_snowfall && season.snowfall != 0) json["snowfall"] = json_value(season.snowfall);
-  add_curve(json, season.curve);
-  return json;
+  return season;
 }
 
-Json temperature_json(const Temperature& temperature) {
-  if (temperature.first == temperature.last && temperature.curve == BezierCurve{}) return json_value(temperature.first);
-  Json json;
-  json["first"] = json_value(temperature.first);
-  json["last"] = json_value(temperature.last);
-  add_curve(json, temperature.curve);
-  return json;
+Json course_json(const Course& course, const Channel& channel) {
+  if (course.is_constant() && course.curve == BezierCurve{}) return json_value(course.first);
+  return row_json(row_of(course, channel));
 }
 
 Json wind_json(const Regime& wind, const ModelInfo& model) {
+  const Season standard = sim::starting_wind(model.start).seasons.front();
   const Season& only = wind.seasons.front();
-  Json json;
   Regime constant = Regime::constant(only.bearing, only.first);
   constant.seasons.front().spread = only.spread;
   constant.seasons.front().hold = only.hold;
-  if (wind == constant) {
-    json["bearing"] = json_value(only.bearing);
-    json["strength"] = json_value(only.first);
-    add_swing(json, only, model);
-    return json;
-  }
+  if (wind == constant) return row_json(row_of(only, constant_wind_columns(standard)));
+  const Declarations columns = season_columns(standard);
+  Json json;
   json["seasons"] = Json::array();
-  for (const Season& season : wind.seasons) json["seasons"].push_back(season_json(season, model));
+  for (const Season& season : wind.seasons) {
+    json["seasons"].push_back(row_json(row_of(used_of(season, model), columns)));
+  }
   return json;
 }
 
@@ -100,8 +75,11 @@ std::string config_text(const sim::Config& config) {
   for (const sim::ConfigGroup& group : sim::config_groups()) {
     if (group.key == "run") {
       json["wind"] = wind_json(config.wind, asking);
-      if (asking.asks_temperature && config.temperature != Temperature{})
-        json["temperature"] = temperature_json(config.temperature);
+      for (const Channel& channel : channels()) {
+        if (channel.over_run == nullptr || !uses_channel(asking.channels, channel)) continue;
+        const Course& course = config.weather.*channel.over_run;
+        if (course != Weather{}.*channel.over_run) json[channel.declared.key] = course_json(course, channel);
+      }
     }
     Json values = group_json(group.key, config.*group.values);
     if (!values.empty()) json[group.key] = std::move(values);

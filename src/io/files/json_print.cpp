@@ -61,12 +61,28 @@ Json json_value(const ParameterValue& value) {
     }
     return vertices;
   }
+  if (const auto* bezier = std::get_if<BezierCurve>(&value)) {
+    return json_value(PiecewiseLinear{{bezier->first, bezier->second}});
+  }
+  if (const auto* list = std::get_if<RowList>(&value)) {
+    Json rows = Json::array();
+    for (const ParameterValues& row : list->rows) rows.push_back(row_json(row));
+    return rows;
+  }
   return Json(std::get<std::int64_t>(value));
+}
+
+Json row_json(const ParameterValues& row) {
+  Json json = Json::object();
+  for (const Parameter& column : row.declared()) {
+    if (row.is_set(column.key)) json[column.key] = json_value(column, row.value(column.key));
+  }
+  return json;
 }
 
 Json json_value(const Parameter& parameter, const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
-  const bool number = text != nullptr && parameter.kind == ParameterKind::choice && is_whole_number(*text);
+  const bool number = text != nullptr && parameter.kind() == ParameterKind::choice && is_whole_number(*text);
   return number ? Json(std::stoll(*text)) : json_value(value);
 }
 

@@ -24,7 +24,7 @@ std::string draw_setup_rows(Setup& setup, const std::string& group, const sim::C
   for (const SetupRow& row : setup.rows(group, running)) {
     if (!row.relevant) continue;
     draw_row(setup, row);
-    if (row.parameter->kind != ParameterKind::path) continue;
+    if (row.parameter->kind() != ParameterKind::path) continue;
     if (button("BROWSE", {.tooltip = "Choose the picture from your folders."})) wanted_path = row.parameter->key;
   }
   return wanted_path;

@@ -9,16 +9,11 @@
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/curve_editor.h"
 #include "ui/widgets/plot.h"
+#include "ui/widgets/row_table.h"
 #include "ui/widgets/widgets.h"
 #include "ui/widgets/wind_dial.h"
 
 namespace erg::ui {
-
-using session::AppModel;
-using session::sample_cycle;
-using session::WindCycle;
-using session::WindEditor;
-
 namespace {
 
 constexpr std::size_t cycle_samples = 400;  // at most
@@ -29,22 +24,6 @@ std::string strength_text(const Season& season) {
   return season.first == season.last ? first : first + " to " + figure_text(season.last, 3);
 }
 
-void put_in_place(WindEditor wind, const std::vector<Season>& seasons) {
-  wind.reset();
-  for (std::size_t index = 0; index < seasons.size(); ++index) {
-    if (index > 0) wind.add();
-    const Season& season = seasons[index];
-    wind.set_bearing(index, season.bearing);
-    wind.set_first(index, season.first);
-    wind.set_last(index, season.last);
-    wind.set_steps(index, season.steps);
-    wind.set_curve(index, season.curve);
-    wind.set_snowfall(index, season.snowfall);
-    wind.set_spread(index, season.spread);
-    wind.set_hold(index, season.hold);
-  }
-}
-
 class WindPanel final : public Panel {
  public:
   const char* title() const override { return panel_title::wind; }
@@ -52,24 +31,24 @@ class WindPanel final : public Panel {
   void draw(PanelContext& context) override;
 
  private:
-  bool shows_seasons(const WindEditor& wind) const { return seasons_wanted_ || !wind.regime().is_constant(); }
-  void draw_kind(const WindEditor& wind);
-  void draw_list(const WindEditor& wind, std::size_t now);
-  void draw_list_buttons(WindEditor wind);
-  void draw_bearing(WindEditor wind);
-  void draw_strengths(WindEditor wind, const std::string& strength_label);
-  void draw_swing(WindEditor wind) const;
-  void draw_snowfall(WindEditor wind) const;
-  void draw_curve(WindEditor wind, const AppModel& app, const std::string& strength_label);
-  void draw_cycle(const WindEditor& wind, std::int64_t step, const std::string& strength_label) const;
-  static void draw_rose(const WindEditor& wind, const AppModel& app);
+  bool shows_seasons(const session::WindEditor& wind) const { return seasons_wanted_ || !wind.regime().is_constant(); }
+  void draw_kind(const session::WindEditor& wind);
+  void draw_list(const session::WindEditor& wind, std::size_t now);
+  void draw_list_buttons(session::WindEditor wind);
+  void draw_bearing(session::WindEditor wind);
+  void draw_strengths(session::WindEditor wind, const std::string& strength_label);
+  void draw_column(session::WindEditor wind, const std::string& key) const;
+  void draw_swing(session::WindEditor wind) const;
+  void draw_curve(session::WindEditor wind, const session::AppModel& app, const std::string& strength_label);
+  void draw_cycle(const session::WindEditor& wind, std::int64_t step, const std::string& strength_label) const;
+  static void draw_rose(const session::WindEditor& wind, const session::AppModel& app);
 
   std::size_t selected_ = 0;
   bool seasons_wanted_ = false;
   std::vector<Season> put_aside_;  ///< the seasons while the wind is constant, so that switching loses nothing
 };
 
-void WindPanel::draw_kind(const WindEditor& wind) {
+void WindPanel::draw_kind(const session::WindEditor& wind) {
   const bool seasons = shows_seasons(wind);
   const float half = share_of_width(2);
   if (button("CONSTANT", {.tooltip = "One bearing and one strength for ever. Seasons are kept for later.",
@@ -80,7 +59,7 @@ void WindPanel::draw_kind(const WindEditor& wind) {
     Season constant = wind.season(selected_);
     constant.last = constant.first;
     constant.curve = {};
-    put_in_place(wind, {constant});
+    session::WindEditor(wind).replace({constant});
     seasons_wanted_ = false;
     selected_ = 0;
   }
@@ -89,12 +68,12 @@ void WindPanel::draw_kind(const WindEditor& wind) {
                          .look = seasons ? ButtonLook::accent : ButtonLook::plain,
                          .size = {half, 0}}) &&
       !seasons) {
-    if (!put_aside_.empty()) put_in_place(wind, put_aside_);
+    session::WindEditor(wind).replace(put_aside_);
     seasons_wanted_ = true;
   }
 }
 
-void WindPanel::draw_list(const WindEditor& wind, std::size_t now) {
+void WindPanel::draw_list(const session::WindEditor& wind, std::size_t now) {
   constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
   if (!ImGui::BeginTable("seasons", 4, flags)) return;
   ImGui::TableSetupColumn("", 0, 0.5f);
@@ -122,34 +101,30 @@ void WindPanel::draw_list(const WindEditor& wind, std::size_t now) {
   ImGui::EndTable();
 }
 
-void WindPanel::draw_list_buttons(WindEditor wind) {
-  const bool last_one = wind.seasons() == 1;
-  if (button("ADD", {.tooltip = "Another season at the end."})) selected_ = wind.add();
-  ImGui::SameLine();
-  if (button("COPY", {.tooltip = "The chosen season once more, right behind it."}))
-    selected_ = wind.duplicate(selected_);
-  ImGui::SameLine();
-  if (button("REMOVE", {.tooltip = "Takes the chosen season out.",
-                        .unavailable = last_one ? "The wind needs one season." : ""})) {
-    wind.remove(selected_);
-    selected_ = std::min(selected_, wind.seasons() - 1);
+void WindPanel::draw_list_buttons(session::WindEditor wind) {
+  switch (list_buttons({.row_name = "season", .count = wind.seasons(), .selected = selected_, .fewest = 1})) {
+    case ListEdit::none:
+      break;
+    case ListEdit::add:
+      selected_ = wind.add();
+      break;
+    case ListEdit::copy:
+      selected_ = wind.duplicate(selected_);
+      break;
+    case ListEdit::remove:
+      wind.remove(selected_);
+      selected_ = std::min(selected_, wind.seasons() - 1);
+      break;
+    case ListEdit::up:
+      if (wind.move_up(selected_)) --selected_;
+      break;
+    case ListEdit::down:
+      if (wind.move_down(selected_)) ++selected_;
+      break;
   }
-  ImGui::SameLine();
-  if (button("\u2191##up", {.tooltip = "Earlier.", .unavailable = selected_ == 0 ? "It is the first." : ""}) &&
-      wind.move_up(selected_)) {
-    --selected_;
-  }
-  mark("up");
-  ImGui::SameLine();
-  const bool at_end = selected_ + 1 >= wind.seasons();
-  if (button("\u2193##down", {.tooltip = "Later.", .unavailable = at_end ? "It is the last." : ""}) &&
-      wind.move_down(selected_)) {
-    ++selected_;
-  }
-  mark("down");
 }
 
-void WindPanel::draw_bearing(WindEditor wind) {
+void WindPanel::draw_bearing(session::WindEditor wind) {
   const Gui& gui = Gui::current();
   double bearing = wind.season(selected_).bearing;
   bool changed = wind_dial("dial", bearing, gui.px(132), wind.season(selected_).spread);
@@ -162,7 +137,7 @@ void WindPanel::draw_bearing(WindEditor wind) {
   if (changed) wind.set_bearing(selected_, bearing);
 }
 
-void WindPanel::draw_strengths(WindEditor wind, const std::string& strength_label) {
+void WindPanel::draw_strengths(session::WindEditor wind, const std::string& strength_label) {
   const Season season = wind.season(selected_);
   const bool seasons = shows_seasons(wind);
   const std::string range = "\nrange: " + figure_text(smallest_strength) + " to " + figure_text(largest_strength);
@@ -184,47 +159,26 @@ void WindPanel::draw_strengths(WindEditor wind, const std::string& strength_labe
   if (last_event == RowEvent::reset) last = wind.standard().last;
   if (last_event != RowEvent::none) wind.set_last(selected_, last);
   std::int64_t steps = season.steps;
-  const Parameter declared = sim::season_steps_parameter();
+  const Declarations columns = wind.columns();
+  const Parameter& declared = *columns.find("steps");
   const RowEvent steps_event =
       integer_row({.label = "length", .unit = "steps", .tooltip = parameter_tooltip(declared)}, steps,
                   static_cast<std::int64_t>(declared.minimum), static_cast<std::int64_t>(declared.maximum));
   if (steps_event == RowEvent::changed) wind.set_steps(selected_, steps);
 }
 
-void WindPanel::draw_swing(WindEditor wind) const {
-  const Season& season = wind.season(selected_);
-  const Season& standard = wind.standard();
-  const auto row = [](const Parameter& declared, bool changed) {
-    return Row{
-        .label = declared.label, .unit = declared.unit, .tooltip = parameter_tooltip(declared), .changed = changed};
-  };
-  const Parameter spread_declared = sim::season_spread_parameter();
-  double spread = season.spread;
-  const RowEvent event = real_row(row(spread_declared, spread != standard.spread), spread, spread_declared.minimum,
-                                  spread_declared.maximum);
-  if (event != RowEvent::none) wind.set_spread(selected_, event == RowEvent::reset ? standard.spread : spread);
-  if (season.spread <= 0) return;
-  const Parameter hold_declared = sim::season_hold_parameter();
-  std::int64_t hold = season.hold;
-  const RowEvent hold_event =
-      integer_row(row(hold_declared, hold != standard.hold), hold, static_cast<std::int64_t>(hold_declared.minimum),
-                  static_cast<std::int64_t>(hold_declared.maximum));
-  if (hold_event != RowEvent::none) wind.set_hold(selected_, hold_event == RowEvent::reset ? standard.hold : hold);
+void WindPanel::draw_column(session::WindEditor wind, const std::string& key) const {
+  const Declarations columns = wind.columns();
+  ParameterValue value = wind.value(selected_, key);
+  if (parameter_row(*columns.find(key), value) != RowEvent::none) wind.set(selected_, key, value);
 }
 
-void WindPanel::draw_snowfall(WindEditor wind) const {
-  const Parameter declared = sim::season_snowfall_parameter();
-  const double standard = std::get<double>(declared.standard);
-  double value = wind.season(selected_).snowfall;
-  const RowEvent event = real_row({.label = declared.label,
-                                   .unit = declared.unit,
-                                   .tooltip = parameter_tooltip(declared),
-                                   .changed = value != standard},
-                                  value, declared.minimum, declared.maximum);
-  if (event != RowEvent::none) wind.set_snowfall(selected_, event == RowEvent::reset ? standard : value);
+void WindPanel::draw_swing(session::WindEditor wind) const {
+  draw_column(wind, "spread");
+  if (wind.season(selected_).spread > 0) draw_column(wind, "hold");
 }
 
-void WindPanel::draw_curve(WindEditor wind, const AppModel& app, const std::string& strength_label) {
+void WindPanel::draw_curve(session::WindEditor wind, const session::AppModel& app, const std::string& strength_label) {
   const Season& season = wind.season(selected_);
   if (season.first == season.last) {
     explain("The strength stays the same over this season. Give it another last strength to bend its curve.");
@@ -236,7 +190,7 @@ void WindPanel::draw_curve(WindEditor wind, const AppModel& app, const std::stri
   frame.x = {0, static_cast<double>(std::max<std::int64_t>(1, season.steps - 1))};
   frame.y = {season.first, season.last};
   frame.height = Gui::current().px(170);
-  const WindCycle cycle = sample_cycle(wind.regime(), 2);
+  const session::WindCycle cycle = session::sample_cycle(wind.regime(), 2);
   if (app.now().has_runs() && cycle.season_at(app.now().step()) == selected_) {
     frame.cursor = static_cast<double>(cycle.position(app.now().step()) - cycle.season_starts[selected_]);
   }
@@ -244,9 +198,10 @@ void WindPanel::draw_curve(WindEditor wind, const AppModel& app, const std::stri
   if (edit_curve("curve", curve, frame)) wind.set_curve(selected_, curve);
 }
 
-void WindPanel::draw_cycle(const WindEditor& wind, std::int64_t step, const std::string& strength_label) const {
+void WindPanel::draw_cycle(const session::WindEditor& wind, std::int64_t step,
+                           const std::string& strength_label) const {
   const auto steps_of_cycle = static_cast<std::size_t>(std::max<std::int64_t>(2, wind.regime().cycle()));
-  const WindCycle cycle = sample_cycle(wind.regime(), std::min(cycle_samples, steps_of_cycle));
+  const session::WindCycle cycle = session::sample_cycle(wind.regime(), std::min(cycle_samples, steps_of_cycle));
   std::vector<double> steps(cycle.steps.begin(), cycle.steps.end());
   PlotFrame frame;
   frame.x_label = "step of the cycle";
@@ -265,7 +220,7 @@ void WindPanel::draw_cycle(const WindEditor& wind, std::int64_t step, const std:
   draw_plot("cycle", {&line, 1}, frame);
 }
 
-void WindPanel::draw_rose(const WindEditor& wind, const AppModel& app) {
+void WindPanel::draw_rose(const session::WindEditor& wind, const session::AppModel& app) {
   const Gui& gui = Gui::current();
   const std::int64_t now = app.now().step();
   std::int64_t end = now + wind.regime().cycle();
@@ -293,21 +248,23 @@ void WindPanel::draw_rose(const WindEditor& wind, const AppModel& app) {
 }
 
 void WindPanel::draw(PanelContext& context) {
-  AppModel& app = context.app;
-  WindEditor wind = app.comparison().wind();
+  session::AppModel& app = context.app;
+  session::WindEditor wind = app.comparison().wind();
   selected_ = std::min(selected_, wind.seasons() - 1);
   const std::string strength_label = app.setup().model().info.strength_label;
   draw_kind(wind);
   selected_ = std::min(selected_, wind.seasons() - 1);
   if (shows_seasons(wind)) {
-    const std::size_t now = sample_cycle(wind.regime(), 2).season_at(app.now().step());
+    const std::size_t now = session::sample_cycle(wind.regime(), 2).season_at(app.now().step());
     draw_list(wind, now);
     draw_list_buttons(wind);
   }
   draw_bearing(wind);
   draw_strengths(wind, strength_label);
   draw_swing(wind);
-  if (app.comparison().asks_snowfall()) draw_snowfall(wind);
+  for (const Channel& channel : channels()) {
+    if (channel.of_season != nullptr && app.comparison().uses(channel)) draw_column(wind, channel.declared.key);
+  }
   if (shows_seasons(wind)) {
     draw_curve(wind, app, strength_label);
     if (section("The whole cycle")) draw_cycle(wind, app.now().step(), strength_label);

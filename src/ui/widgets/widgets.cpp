@@ -10,6 +10,7 @@
 
 #include "core/number_text.h"
 #include "ui/widgets/curve_editor.h"
+#include "ui/widgets/row_table.h"
 #include "ui/widgets/typed_number.h"
 
 namespace erg::ui {
@@ -129,9 +130,9 @@ RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& 
   tooltip(row.tooltip);
   const WidgetScope scope(row.label);
   ImGui::BeginDisabled(!row.unavailable.empty());
-  const std::vector<CurvePoint>& standard = std::get<PiecewiseLinear>(parameter.standard).vertices;
+  const std::vector<CurvePoint>& standard = std::get<PiecewiseLinear>(parameter.default_value).vertices;
   CurveFrame frame;
-  frame.x_label = parameter.across;
+  frame.x_label = parameter.x_label;
   frame.y_label = unit_text(parameter.unit);
   frame.x = {std::min(standard.front().x, curve.vertices.front().x),
              std::max(standard.back().x, curve.vertices.back().x)};
@@ -140,6 +141,17 @@ RowEvent curve_row(const Row& row, const Parameter& parameter, PiecewiseLinear& 
   const bool changed = edit_points("points", curve.vertices, standard, frame);
   ImGui::EndDisabled();
   return changed ? RowEvent::changed : RowEvent::none;
+}
+
+/// A curve between two values, bent by its control points.
+RowEvent bezier_row(const Row& row, BezierCurve& curve) {
+  ImGui::TextUnformatted(row.label.c_str());
+  tooltip(row.tooltip);
+  CurveFrame frame;
+  frame.x = {0, 1};
+  frame.y = {0, 1};
+  frame.height = Gui::current().px(170);
+  return edit_curve(row.label.c_str(), curve, frame) ? RowEvent::changed : RowEvent::none;
 }
 
 }  // namespace
@@ -307,10 +319,10 @@ std::string parameter_tooltip(const Parameter& parameter) {
   const auto add = [&](const std::string& name, const std::string& words) {
     if (!words.empty()) text += "\n" + name + ": " + words;
   };
-  if (parameter.kind != ParameterKind::boolean && parameter.kind != ParameterKind::path) {
+  if (parameter.kind() != ParameterKind::boolean && parameter.kind() != ParameterKind::path) {
     add("range", accepted_with_unit(parameter));
   }
-  add("default", value_text(parameter.standard));
+  add("default", value_text(parameter.default_value));
   add("source", parameter.source);
   add("key", parameter.key);
   return text;
@@ -318,10 +330,11 @@ std::string parameter_tooltip(const Parameter& parameter) {
 
 RowEvent parameter_row(const Parameter& parameter, ParameterValue& value, bool needs_new_terrain,
                        std::string unavailable) {
-  const Row row{parameter.label,   parameter.unit,        parameter_tooltip(parameter), value != parameter.standard,
-                needs_new_terrain, std::move(unavailable)};
+  const Row row{
+      parameter.label,   parameter.unit,        parameter_tooltip(parameter), value != parameter.default_value,
+      needs_new_terrain, std::move(unavailable)};
   RowEvent event = RowEvent::none;
-  switch (parameter.kind) {
+  switch (parameter.kind()) {
     case ParameterKind::real: {
       // A real parameter may hold a whole number from a file.
       double number = std::holds_alternative<double>(value) ? std::get<double>(value)
@@ -350,8 +363,14 @@ RowEvent parameter_row(const Parameter& parameter, ParameterValue& value, bool n
     case ParameterKind::curve:
       event = curve_row(row, parameter, std::get<PiecewiseLinear>(value));
       break;
+    case ParameterKind::bezier:
+      event = bezier_row(row, std::get<BezierCurve>(value));
+      break;
+    case ParameterKind::rows:
+      event = rows_row(row, parameter, std::get<RowList>(value));
+      break;
   }
-  if (event == RowEvent::reset) value = parameter.standard;
+  if (event == RowEvent::reset) value = parameter.default_value;
   return event;
 }
 

@@ -1,9 +1,0 @@
-#include "cuda/device_plan.h"
-
-#include "forcing/wind_frame.h"
-
-namespace erg {
-
-TerrainOrder terrain_order(const WindFrame& frame) { return {frame.width, frame.origin, frame.step_u, frame.step_v}; }
-
-}  // namespace erg

@@ -1,0 +1,38 @@
+// Keeps the trajectories of grains for pictures.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/grain_path.h"
+#include "core/terrain.h"
+#include "forcing/wind_frame.h"
+#include "models/grains/grain_cell.h"
+
+namespace erg {
+
+/// Watches flights (see `fly`) and notes every point, in metres of the terrain. Where a grain leaves a torus over one
+/// side and enters over the other, its line ends and another begins.
+class PathWatch {
+ public:
+  /// `lowest`: height (m) that the frozen ground counts from.
+  PathWatch(const Terrain& terrain, const WindFrame& frame, double lowest);
+
+  /// The next points are another grain's.
+  void start();
+  void at(const Grain& grain);
+  void impact(int, int, int, float) {}
+
+  std::vector<GrainPath> take_paths();
+
+ private:
+  WindFrame frame_;
+  int nx_;
+  float cell_size_;
+  float lowest_;
+  float last_u_ = 0;
+  float last_v_ = 0;
+  std::vector<GrainPath> paths_;
+};
+
+}  // namespace erg

@@ -1,0 +1,84 @@
+// Time steps of grains on any back end, and the bed that they fly over: whole counts of parcels in the wind's frame,
+// which stays there between steps.
+//
+// A step is cut into sub-steps. Each takes a snapshot of the ground, polls a random part of the cells and flies their
+// grains, resolves what impacts knocked loose, applies what came and went, and lets slopes slide. All rules stand in
+// grain_bed_cell.h, one kernel each (grain_kernels.h).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "compute/executor.h"
+#include "forcing/regime.h"
+#include "forcing/wind_frame.h"
+#include "kernels/frame_layers.h"
+#include "models/grains/grain_step.h"
+#include "models/grains/plan.h"
+
+namespace erg {
+
+/// Called with the ground that the flights of a step's last sub-step see; it may fly some of them once more.
+using GroundLook = std::function<void(const FrozenGround& ground)>;
+
+/// Flies the grains of one time step, lets their bed slide, creep and bond, and books in- and outflow. The same bits on
+/// every executor. `look` may be empty.
+GrainReport fly_grains(Executor& executor, Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+                       const GroundLook& look);
+
+class GrainSolver : public Solver {
+ public:
+  explicit GrainSolver(Backend& backend) : backend_(backend), layers_(backend) {}
+
+  bool holds_fields() const override { return true; }
+  /// Brings the mobile layer back and, where grains may have bonded or come free since the terrain was loaded, the
+  /// field of bonded ones.
+  void sync_to_host(Terrain& terrain) override;
+  void load(const Terrain& terrain, const WindFrame& frame);
+  /// One time step of what is loaded; `terrain` tells only what never changes between loads. `lift_counts`: as
+  /// Executor::lift_counts.
+  GrainCounters step(const Terrain& terrain, const GrainStepLaw& law, const WindFrame& frame, StepKey key,
+                     const GroundLook& look, Grid<std::int32_t>* lift_counts);
+
+ private:
+  std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
+  void allocate(std::size_t cells, const WindFrame& frame);
+  void send_law(const GrainStepLaw& law);
+  void prepare(const Terrain& terrain, const GrainStepLaw& law, bool counts_lifts);
+  void run(const GrainStepLaw& law, double inflow, StepKey key, const GroundLook& look);
+
+  void snapshot();
+  void show_ground(const GroundLook& look);
+  void slide_slopes(StandingSteps standing);
+  bool has_slid();
+  void launch_edges(const KernelOf<grain::Plan>& kernel, int way);
+
+  Backend& backend_;
+  WindFrame frame_;
+  std::int32_t lowest_ = 0;  // bedrock
+  bool may_bond_ = false;    // some grains are bonded, or were since the load
+  grain::Plan plan_;         // of the step under way
+  std::optional<GrainLaw> sent_law_;
+  std::shared_ptr<const std::vector<float>> sent_shelter_;
+
+  FrameLayers layers_;
+  FrameLayer bedrock_;
+  FrameLayer mobile_;
+  FrameLayer bonded_;
+  FrameLayer gone_;
+  FrameLayer come_;
+  FrameLayer stirred_;
+  FrameLayer lifted_;  // empty until lifts are counted
+  FrameLayer asked_;
+  FrameLayer asked_speed_;
+  Buffer<float> shelter_;
+  Buffer<GroundPoint> points_;
+  Buffer<GrainLaw> law_;
+  Buffer<std::uint32_t> bounds_;  // highest, ~lowest, slid
+  Buffer<CounterWord> counters_;
+};
+
+}  // namespace erg

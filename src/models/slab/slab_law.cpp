@@ -1,0 +1,18 @@
+#include "models/slab/slab_law.h"
+
+#include <numbers>
+
+#include "core/units.h"
+
+namespace erg {
+
+double HopLaw::cells(double strength, double above_reference) const {
+  return hop_cells(strength, linear, quadratic, above_reference);
+}
+
+StandingSteps StandingSteps::of_angle(double angle, double cell_size, double slab_height) {
+  return {erg::standing_step(angle, cell_size, slab_height),
+          erg::standing_step(angle, cell_size * std::numbers::sqrt2, slab_height)};
+}
+
+}  // namespace erg

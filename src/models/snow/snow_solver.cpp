@@ -1,0 +1,57 @@
+#include "models/snow/snow_solver.h"
+
+#include <memory>
+
+#include "models/snow/on_device.h"
+#include "models/snow/snow_drift.h"
+
+namespace erg {
+namespace {
+
+/// On the processor's threads, which work on the terrain's own layers.
+class SnowOnProcessor : public SnowSolver {
+ public:
+  explicit SnowOnProcessor(InstructionSet instructions) : drift_(instructions) {}
+
+  bool holds_fields() const override { return true; }
+  void load(const Terrain&, const WindFrame&) override {}
+  void sync_to_host(Terrain&) override {}
+  StepReport step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
+                  Executor& executor) override {
+    return drift_.step(terrain, snow, wind, key, executor);
+  }
+
+ private:
+  SnowDrift drift_;
+};
+
+/// A step of snow, as executors carry it out.
+struct SnowDriftStep {
+  using Solver = SnowSolver;
+  using Report = StepReport;
+
+  SnowStep snow;
+  WindNow wind;
+  StepKey key;
+
+  std::unique_ptr<SnowSolver> make_solver(Executor& executor) const {
+    if (Backend* const device = executor.device())
+      return std::make_unique<SnowOnDevice>(*device, executor.sub_sweeps());
+    return std::make_unique<SnowOnProcessor>(executor.options().instructions);
+  }
+  void load(SnowSolver& solver, const Terrain& terrain) const {
+    solver.load(terrain, wind_frame(terrain.extent(), wind.bearing));
+  }
+  StepReport run(SnowSolver& solver, Terrain& terrain, Executor& executor) const {
+    return solver.step(terrain, snow, wind, key, executor);
+  }
+  SnowDriftStep kept(SnowSolver&) const { return *this; }
+};
+
+}  // namespace
+
+StepReport drift_snow(Executor& executor, Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
+  return executor.carry_out(terrain, SnowDriftStep{snow, wind, key});
+}
+
+}  // namespace erg

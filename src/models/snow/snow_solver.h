@@ -1,0 +1,29 @@
+// A step of sintering snow, and what carries it out: the processor's threads (snow_drift.h), or kernels on a device
+// (snow_on_device.h).
+#pragma once
+
+#include "compute/executor.h"
+#include "core/random.h"
+#include "core/terrain.h"
+#include "forcing/regime.h"
+#include "forcing/wind_frame.h"
+#include "models/snow/snow_step.h"
+#include "models/step_report.h"
+
+namespace erg {
+
+/// Lets snow drift, slide, fall and bond for one time step, and books in- and outflow. The terrain has the fields of
+/// SnowLayer. Throws InputError if the snow has grown too high to be counted.
+StepReport drift_snow(Executor& executor, Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key);
+
+/// Holds a terrain of snow and lets it drift.
+class SnowSolver : public Solver {
+ public:
+  virtual void load(const Terrain& terrain, const WindFrame& frame) = 0;
+  /// One step of the terrain that is loaded, whose layers need not be up to date. Throws InputError, before anything
+  /// has changed, if the snow has grown too high to be counted.
+  virtual StepReport step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
+                          Executor& executor) = 0;
+};
+
+}  // namespace erg

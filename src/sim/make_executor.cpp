@@ -1,0 +1,36 @@
+#include "sim/make_executor.h"
+
+#include <algorithm>
+
+#include "core/errors.h"
+#include "cuda/cuda_backend.h"
+#include "process/allowance.h"
+#include "sim/cuda_entries.h"
+
+namespace erg::sim {
+namespace {
+
+/// Without a device it is `cpu`, which needs no notice where nobody asked for a device.
+std::unique_ptr<Executor> make_fastest(const ExecutorOptions& options) {
+  auto executor = make_cuda_executor(options, cuda_api(), cuda_entry);
+  executor->take_notice();
+  return executor;
+}
+
+}  // namespace
+
+const std::vector<std::string>& executor_names() {
+  static const std::vector<std::string> names{"auto", "serial", "cpu", "cuda"};
+  return names;
+}
+
+std::unique_ptr<Executor> make_executor(const ExecutorOptions& options) {
+  ExecutorOptions chosen = options;
+  if (chosen.threads <= 0) chosen.threads = process::allowed_threads();
+  if (options.name == "auto") return make_fastest(chosen);
+  if (options.name == "serial" || options.name == "cpu") return std::make_unique<Executor>(chosen);
+  if (options.name == "cuda") return make_cuda_executor(chosen, cuda_api(), cuda_entry);
+  throw InputError("executor", "unknown executor \"" + options.name + "\"", suggestion(options.name, executor_names()));
+}
+
+}  // namespace erg::sim

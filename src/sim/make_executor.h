@@ -1,0 +1,19 @@
+// Every executor by name.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compute/executor.h"
+
+namespace erg::sim {
+
+/// "auto", "serial", "cpu", "cuda".
+const std::vector<std::string>& executor_names();
+
+/// Throws InputError for an unknown name. "cuda" where no device works is the processor with a notice; "auto" then is
+/// the processor without one.
+std::unique_ptr<Executor> make_executor(const ExecutorOptions& options);
+
+}  // namespace erg::sim

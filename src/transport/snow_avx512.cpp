@@ -1,3 +1,0 @@
-// The kernels of sintering snow for the instruction set "avx512" (compiler options in src/CMakeLists.txt).
-#define ERG_KERNELS kernels_avx512
-#include "transport/snow_kernels.inl"

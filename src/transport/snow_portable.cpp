@@ -1,3 +1,0 @@
-// The kernels of sintering snow for the instruction set "portable" (compiler options in src/CMakeLists.txt).
-#define ERG_KERNELS kernels_portable
-#include "transport/snow_kernels.inl"

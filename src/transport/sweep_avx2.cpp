@@ -1,3 +1,0 @@
-// The engine's kernels for the instruction set "avx2" (compiler options in src/CMakeLists.txt).
-#define ERG_KERNELS kernels_avx2
-#include "transport/sweep_kernels.inl"
