@@ -265,7 +265,7 @@ void AppModel::watch_export() {
   export_reported_ = true;
   if (export_->state() == Export::State::done) {
     log_.information("wrote " + export_->path().string());
-    if (exported_keeps_ == Keeps::land) kept_.land_saved(*exported_, exported_run_);
+    if (exported_keeps_ == Keeps::terrain) kept_.terrain_saved(*exported_, exported_run_);
     if (exported_keeps_ != Keeps::nothing) {
       kept_.setup_saved(export_->path(), *exported_->runs[exported_run_].config);
     }
@@ -307,7 +307,7 @@ std::string AppModel::why_not_kept() const {
   const std::string why = folders_.state.empty() ? "neither XDG_STATE_HOME nor HOME names a folder"
                                                  : "the folder " + folders_.state.string() + " cannot be written";
   return why +
-         ", so nothing is saved by itself and a crash loses the land; set XDG_STATE_HOME to a folder of yours, or "
+         ", so nothing is saved by itself and a crash loses the terrain; set XDG_STATE_HOME to a folder of yours, or "
          "save checkpoints (Export)";
 }
 

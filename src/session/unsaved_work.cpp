@@ -13,7 +13,7 @@ using sim::Config;
 namespace {
 
 std::string name_of(const Config& config, std::size_t run, std::size_t runs) {
-  const std::string title = config.title.empty() ? "this run" : quoted(config.title);
+  const std::string title = config.title.empty() ? "this run" : quote(config.title);
   return runs > 1 ? "run " + std::to_string(run + 1) + ", " + title + "," : title;
 }
 
@@ -28,11 +28,11 @@ void UnsavedWork::setup_saved(const std::filesystem::path& file, Config config) 
   files_.insert_or_assign(file, std::move(config));
 }
 
-void UnsavedWork::land_saved(const Snapshot& snapshot, std::size_t run) {
-  if (creation_ != snapshot.creations) lands_.clear();
+void UnsavedWork::terrain_saved(const Snapshot& snapshot, std::size_t run) {
+  if (creation_ != snapshot.creations) terrains_.clear();
   creation_ = snapshot.creations;
-  std::erase_if(lands_, [run](const Land& land) { return land.run == run; });
-  lands_.push_back({run, snapshot.runs[run].last_stroke, snapshot.seconds_worked});
+  std::erase_if(terrains_, [run](const TerrainWork& terrain) { return terrain.run == run; });
+  terrains_.push_back({run, snapshot.runs[run].last_stroke, snapshot.seconds_worked});
 }
 
 void UnsavedWork::recovered(const Snapshot& snapshot) { recovered_creation_ = snapshot.creations; }
@@ -41,16 +41,16 @@ bool UnsavedWork::has(const Config& config) const {
   return std::ranges::any_of(files_, [&](const auto& file) { return file.second == config; });
 }
 
-const UnsavedWork::Land* UnsavedWork::kept_land(const Snapshot& snapshot, std::size_t run) const {
+const UnsavedWork::TerrainWork* UnsavedWork::kept_terrain(const Snapshot& snapshot, std::size_t run) const {
   if (creation_ != snapshot.creations) return nullptr;
-  const auto found = std::ranges::find(lands_, run, &Land::run);
-  return found == lands_.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(terrains_, run, &TerrainWork::run);
+  return found == terrains_.end() ? nullptr : &*found;
 }
 
 /// "" when it is none, or kept.
-std::string UnsavedWork::why_land_is_work(const Snapshot& snapshot, std::size_t run) const {
-  const Land* const kept = kept_land(snapshot, run);
-  // After a reset the land has cost less than what was kept of the one before it.
+std::string UnsavedWork::why_terrain_is_work(const Snapshot& snapshot, std::size_t run) const {
+  const TerrainWork* const kept = kept_terrain(snapshot, run);
+  // After a reset the terrain has cost less than what was kept of the one before it.
   const bool kept_this = kept != nullptr && kept->seconds_worked <= snapshot.seconds_worked;
   const double worked = snapshot.seconds_worked - (kept_this ? kept->seconds_worked : 0);
   const std::uint64_t stroke = snapshot.runs[run].last_stroke;
@@ -60,20 +60,21 @@ std::string UnsavedWork::why_land_is_work(const Snapshot& snapshot, std::size_t 
   return "has grown for " + std::to_string(std::lround(worked / 60)) + " minutes";
 }
 
-std::optional<UnsavedItem> UnsavedWork::missing_land(const Snapshot& snapshot) const {
+std::optional<UnsavedItem> UnsavedWork::missing_terrain(const Snapshot& snapshot) const {
   const std::size_t runs = snapshot.runs.size();
   for (std::size_t run = 0; run < runs; ++run) {
-    const std::string why = why_land_is_work(snapshot, run);
+    const std::string why = why_terrain_is_work(snapshot, run);
     if (why.empty()) continue;
     return UnsavedItem{
-        run, true, "The land of " + name_of(*snapshot.runs[run].config, run, runs) + " " + why + " and is in no file."};
+        run, true,
+        "The terrain of " + name_of(*snapshot.runs[run].config, run, runs) + " " + why + " and is in no file."};
   }
   return std::nullopt;
 }
 
 std::optional<UnsavedItem> UnsavedWork::missing(const Comparison& comparison, const Snapshot& snapshot,
                                                 Leaves leaves) const {
-  if (auto land = missing_land(snapshot); land || leaves == Leaves::land) return land;
+  if (auto terrain = missing_terrain(snapshot); terrain || leaves == Leaves::terrain) return terrain;
   for (std::size_t run = 0; run < comparison.size(); ++run) {
     const Config config = comparison.config(run);
     if (has(config)) continue;

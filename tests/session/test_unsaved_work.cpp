@@ -59,7 +59,7 @@ TEST_F(UnsavedWorkTest, AnEditedSetupIsWorkUntilItIsSavedOrTakenBack) {
   const double before = app.setup().config().parameters.real("p_sand");
   app.setup().set("parameters", "p_sand", 0.5);
   EXPECT_NE(unsaved().find("setup"), std::string::npos) << unsaved();
-  EXPECT_EQ(unsaved(Leaves::land), "") << "CREATE leaves the setup as it is";
+  EXPECT_EQ(unsaved(Leaves::terrain), "") << "CREATE leaves the setup as it is";
   app.setup().set("parameters", "p_sand", before);
   EXPECT_EQ(unsaved(), "");
   app.setup().set("parameters", "p_sand", 0.5);
@@ -67,10 +67,10 @@ TEST_F(UnsavedWorkTest, AnEditedSetupIsWorkUntilItIsSavedOrTakenBack) {
   EXPECT_EQ(unsaved(), "");
 }
 
-TEST_F(UnsavedWorkTest, APaintedLandIsWorkUntilACheckpointHasIt) {
+TEST_F(UnsavedWorkTest, APaintedTerrainIsWorkUntilACheckpointHasIt) {
   paint(0, 1);
-  EXPECT_NE(unsaved(Leaves::land).find("painted"), std::string::npos) << unsaved();
-  EXPECT_TRUE(app.unsaved_work(Leaves::everything)->land);
+  EXPECT_NE(unsaved(Leaves::terrain).find("painted"), std::string::npos) << unsaved();
+  EXPECT_TRUE(app.unsaved_work(Leaves::everything)->terrain);
   app.runner().undo();
   settle();
   EXPECT_EQ(unsaved(), "");
@@ -115,7 +115,7 @@ TEST_F(UnsavedWorkTest, OfComparedRunsTheOneThatWasEditedOrPaintedIsNamed) {
   EXPECT_EQ(app.unsaved_work(Leaves::everything)->run, 1u);
   EXPECT_NE(unsaved().find("run 2"), std::string::npos) << unsaved();
   paint(1, 1);
-  EXPECT_TRUE(app.unsaved_work(Leaves::everything)->land);
+  EXPECT_TRUE(app.unsaved_work(Leaves::everything)->terrain);
   EXPECT_EQ(app.unsaved_work(Leaves::everything)->run, 1u);
 }
 
@@ -125,13 +125,13 @@ TEST_F(UnsavedWorkTest, WhatTookLongToGrowIsWorkUntilItIsKept) {
   session::Snapshot now = app.now();
   UnsavedWork kept;
   kept.start_from("small.json", small_config());
-  const auto is_work = [&] { return kept.missing(app.comparison(), now, Leaves::land).has_value(); };
+  const auto is_work = [&] { return kept.missing(app.comparison(), now, Leaves::terrain).has_value(); };
   EXPECT_GT(now.seconds_worked, 0);
   now.seconds_worked = UnsavedWork::long_work - 1;
   EXPECT_FALSE(is_work());
   now.seconds_worked = UnsavedWork::long_work + 1;
   EXPECT_TRUE(is_work());
-  kept.land_saved(now, 0);
+  kept.terrain_saved(now, 0);
   EXPECT_FALSE(is_work());
   now.seconds_worked += UnsavedWork::long_work;
   EXPECT_TRUE(is_work());
@@ -157,7 +157,7 @@ TEST_F(UnsavedWorkTest, WhatACrashLeftIsWorkWhenItIsRecovered) {
   ASSERT_TRUE(next.create());
   next.runner().wait_until_still();
   next.tick();
-  EXPECT_FALSE(next.unsaved_work(Leaves::land).has_value()) << "it is another land now";
+  EXPECT_FALSE(next.unsaved_work(Leaves::terrain).has_value()) << "it is another terrain now";
 }
 
 TEST(FailedStep, SavesTheSessionAndSaysWhere) {

@@ -43,7 +43,7 @@ void UnsavedPanel::go_on(PanelContext& context) {
 void UnsavedPanel::save(AppModel& app, const UnsavedItem& work) {
   saving_ = true;
   app.set_active(work.run);
-  if (work.land) {
+  if (work.terrain) {
     checkpoint_.ask(app.settings(), app.suggested_name("-" + std::to_string(app.now().step()) + ".checkpoint"));
   } else if (app.has_own_file()) {
     app.save_config(app.file());
@@ -58,10 +58,11 @@ void UnsavedPanel::draw_buttons(PanelContext& context, const UnsavedItem& work) 
   if (writing) {
     ImGui::ProgressBar(static_cast<float>(running->progress()), {-1, 0}, running->path().filename().c_str());
   }
-  if (button("SAVE", {.tooltip = work.land ? "Asks for a file: a checkpoint, which holds land and setup to go on from"
-                                           : "Saves the setup as a config",
-                      .unavailable = writing ? "A file is being written." : "",
-                      .look = ButtonLook::accent})) {
+  if (button("SAVE",
+             {.tooltip = work.terrain ? "Asks for a file: a checkpoint, which holds terrain and setup to go on from"
+                                      : "Saves the setup as a config",
+              .unavailable = writing ? "A file is being written." : "",
+              .look = ButtonLook::accent})) {
     save(context.app, work);
   }
   ImGui::SameLine();
