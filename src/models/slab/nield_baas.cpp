@@ -30,7 +30,7 @@ Parameters nield_baas_parameters() {
 std::vector<std::string> explain_plants(const ParameterValues& values, double cell_size) {
   std::vector<std::string> lines = explain_slabs(values, cell_size);
   const int step =
-      StandingSteps::of_angle(values.real("vegetated_repose_angle"), cell_size, values.real("slab_height")).straight;
+      ReposeSteps::of_angle(values.real("vegetated_repose_angle"), cell_size, values.real("slab_height")).straight;
   char line[120];
   std::snprintf(line, sizeof line, "repose under plants %g deg: a step of %d slabs stands",
                 values.real("vegetated_repose_angle"), step);
@@ -59,7 +59,7 @@ class NieldBaas : public SlabModel {
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.lift_in_shadow = values().boolean("lift_in_shadow");
-    law.covered = StandingSteps::of_angle(values().real("vegetated_repose_angle"), terrain.cell_size(), quantum());
+    law.covered = ReposeSteps::of_angle(values().real("vegetated_repose_angle"), terrain.cell_size(), quantum());
     law.covered_from = static_cast<std::uint8_t>(values().real("repose_from") * 255 + 0.5);
     law.cover = &plants_->cover(terrain);
     StepReport report = move_slabs(executor, terrain, law, wind, key);

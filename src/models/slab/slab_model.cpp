@@ -10,8 +10,8 @@
 namespace erg {
 namespace {
 
-StandingSteps standing_steps(const ParameterValues& values, double cell_size) {
-  return StandingSteps::of_angle(values.real("repose_angle"), cell_size, values.real("slab_height"));
+ReposeSteps repose_steps(const ParameterValues& values, double cell_size) {
+  return ReposeSteps::of_angle(values.real("repose_angle"), cell_size, values.real("slab_height"));
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Parameters slab_parameters(const SlabFamily& family) {
 }
 
 std::vector<std::string> explain_slabs(const ParameterValues& values, double cell_size) {
-  const StandingSteps steps = standing_steps(values, cell_size);
+  const ReposeSteps steps = repose_steps(values, cell_size);
   const double slab = values.real("slab_height");
   char repose[160];
   std::snprintf(repose, sizeof repose, "repose %g deg: a step of %d slab%s (%.1f deg) stands, a larger one slides",
@@ -104,7 +104,7 @@ SlabLaw SlabModel::law(const Terrain& terrain) const {
   law.p_bare = values_.real("p_bare");
   law.shadow_fall = shadow_fall(terrain.cell_size());
   law.lift_in_shadow = family_.lift_in_shadow;
-  law.bare = law.covered = standing_steps(values_, terrain.cell_size());
+  law.bare = law.covered = repose_steps(values_, terrain.cell_size());
   law.neighbours = values_.text("neighbours") == "8" ? 8 : 4;
   law.repeated_polling = values_.text("polling") == "repeated";
   law.forced_erosion = values_.boolean("forced_erosion");
