@@ -92,6 +92,10 @@ class Executor {
   typename Step::Report carry_out(Terrain& terrain, const Step& step);
   /// Brings the terrain's layers up to date, and its fields where steps change them.
   void sync_to_host(Terrain& terrain);
+  /// Runs work(backend) where steps are done, for kernels of a model's own between them. It sends what it reads and
+  /// fetches what it makes: where the device fails it is done once more, on the processor.
+  template <typename Work>
+  void on_backend(Terrain& terrain, const Work& work);
 
   /// Adds, from the next step on, the slabs that the polls of a step lift from each cell to `counts`, whose extent is
   /// the terrain's and which must stay; null: no longer. Costs some time, and changes nothing else. In all cells
@@ -187,6 +191,18 @@ typename Step::Report Executor::carry_out(Terrain& terrain, const Step& step) {
     }
   }
   return run(terrain, step);
+}
+
+template <typename Work>
+void Executor::on_backend(Terrain& terrain, const Work& work) {
+  if (device_) {
+    try {
+      return work(*device_);
+    } catch (const DeviceError& error) {
+      fall_back_to_cpu(terrain, error.what());
+    }
+  }
+  work(processor_);
 }
 
 }  // namespace erg

@@ -233,7 +233,7 @@ TEST(Exact, ATallConeSlidesToTheSameSlopeInEveryAzimuthWithEightNeighbours) {
   SlabLaw law;
   law.cover = &cover;
   law.neighbours = 8;
-  law.bare = law.covered = StandingSteps::of_angle(33, 1, 0.1);
+  law.bare = law.covered = ReposeSteps::of_angle(33, 1, 0.1);
   const auto executor = make_executor({.name = "cpu", .threads = 2, .lines_a_thread = 1});
   for (std::uint64_t step = 0; step < 400; ++step) move_slabs(*executor, terrain, law, {270, 5}, {3, step});
   executor->sync_to_host(terrain);

@@ -56,7 +56,7 @@ TEST(Grains, WithoutAirAGrainFliesAParabola) {
   law.longest_steps = 100000;
   law.bounce_limit = 1;
   const std::vector<GroundPoint> level((64 + 2) * (64 + 2));
-  const FrozenGround ground{level.data(), 64, 64, true};
+  const SurfaceSnapshot ground{level.data(), 64, 64, true};
   Grain grain;
   grain.u = grain.v = 20;
   grain.speed_v = 1.5f;

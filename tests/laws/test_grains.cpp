@@ -124,7 +124,7 @@ TEST(Grains, ASteepHumpSlidesToRepose) {
   }
   run.terrain.open_ledger();
   run.steps(40, {270, 1});  // calm: only slides
-  const StandingSteps standing = StandingSteps::of_angle(33, 0.01, run.model.quantum());
+  const ReposeSteps standing = ReposeSteps::of_angle(33, 0.01, run.model.quantum());
   for (int y = 0; y < 60; ++y) {
     for (int x = 0; x < 60; ++x) {
       EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y)), standing.straight);

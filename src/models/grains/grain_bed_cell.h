@@ -32,17 +32,17 @@ struct BedPlanes {
   const float* shelter = nullptr;  ///< share of the wind that plants leave
   const std::int32_t* bedrock = nullptr;
   std::int32_t* mobile = nullptr;
-  std::int32_t* bonded = nullptr;       ///< of the mobile grains
-  std::int32_t* gone = nullptr;         ///< left in this sub-step
-  std::int32_t* come = nullptr;         ///< came in this sub-step
-  std::int32_t* stirred = nullptr;      ///< came or went in this step
-  std::int32_t* lifted = nullptr;       ///< flew off when polled in this step; null: not counted
-  std::int32_t* asked = nullptr;        ///< impacts asked for so many
-  std::int32_t* asked_speed = nullptr;  ///< in 1/64 m/s, summed over the grains asked for
-  GroundPoint* points = nullptr;        ///< the frozen ground with its rim
+  std::int32_t* bonded = nullptr;             ///< of the mobile grains
+  std::int32_t* departures = nullptr;         ///< left in this sub-step
+  std::int32_t* arrivals = nullptr;           ///< came in this sub-step
+  std::int32_t* disturbed = nullptr;          ///< came or went in this step
+  std::int32_t* lifted = nullptr;             ///< flew off when polled in this step; null: not counted
+  std::int32_t* ejection_requests = nullptr;  ///< impacts asked for so many
+  std::int32_t* ejection_speed = nullptr;     ///< in 1/64 m/s, summed over the grains asked for
+  GroundPoint* points = nullptr;              ///< the frozen ground with its rim
 
   ERG_CELL_RULE std::int64_t cells() const { return static_cast<std::int64_t>(width) * length; }
-  ERG_CELL_RULE FrozenGround ground() const { return {points, width, length, torus, lowest * quantum}; }
+  ERG_CELL_RULE SurfaceSnapshot ground() const { return {points, width, length, torus, lowest * quantum}; }
   /// A point of the frozen ground or of its rim.
   ERG_CELL_RULE GroundPoint& point(int u, int v) const {
     return points[static_cast<std::int64_t>(v + 1) * (width + 2) + u + 1];
@@ -96,7 +96,7 @@ inline constexpr float speed_parts = 64;
 /// Deeper than any shadow.
 inline constexpr float no_shadow = -1e30f;
 
-ERG_CELL_RULE void freeze_cell(const BedPlanes& bed, int u, int v) {
+ERG_CELL_RULE void snapshot_cell(const BedPlanes& bed, int u, int v) {
   const std::int64_t cell = static_cast<std::int64_t>(v) * bed.width + u;
   const std::int64_t count = static_cast<std::int64_t>(bed.bedrock[cell]) + bed.mobile[cell] - bed.lowest;
   bed.point(u, v) = {static_cast<float>(static_cast<double>(count) * bed.quantum), no_shadow, bed.shelter[cell],
@@ -140,7 +140,7 @@ ERG_CELL_RULE void follow_shadow(const BedPlanes& bed, int line, int start, int 
 ERG_CELL_RULE int rim_points(const BedPlanes& bed) { return 2 * (bed.length + 2) + 2 * bed.width; }
 
 /// Makes point `number` of the rim that of the cell beyond the torus edge; the nearest inside where the grid is open.
-ERG_CELL_RULE void freeze_rim(const BedPlanes& bed, int number) {
+ERG_CELL_RULE void snapshot_rim(const BedPlanes& bed, int number) {
   const auto inside = [&bed](int place, int count) {
     if (bed.torus) return wrap(place, count);
     return place < 0 ? 0 : place < count ? place : count - 1;
@@ -162,8 +162,8 @@ struct BedWatch {
   ERG_CELL_ACT void impact(int u, int v, int grains, float speed) {
     if (grains == 0) return;
     const std::int64_t cell = static_cast<std::int64_t>(v) * bed->width + u;
-    atomic_add(&bed->asked[cell], grains);
-    atomic_add(&bed->asked_speed[cell], static_cast<std::int32_t>(speed * speed_parts) * grains);
+    atomic_add(&bed->ejection_requests[cell], grains);
+    atomic_add(&bed->ejection_speed[cell], static_cast<std::int32_t>(speed * speed_parts) * grains);
   }
 };
 
@@ -186,7 +186,7 @@ ERG_CELL_ACT void put_down(const GrainLaw& law, const BedPlanes& bed, FlightEnd 
   tally.book(end, grain);
   if (end == FlightEnd::left) return;
   const BedCell place = resting_place(law, bed.ground(), grain, dice);
-  atomic_add(&bed.come[static_cast<std::int64_t>(place.v) * bed.width + place.u], 1);
+  atomic_add(&bed.arrivals[static_cast<std::int64_t>(place.v) * bed.width + place.u], 1);
 }
 
 /// Poll `poll` of the sub-step: a grain of the polled cell flies, if one can leave.
@@ -195,12 +195,12 @@ ERG_CELL_ACT void poll_grain(const GrainLaw& law, const BedPlanes& bed, const Gr
   GrainDice dice = now.dice(GrainDraw::flight, poll, 0);
   const std::int64_t cell = polled_cell(now, poll, bed.cells(), dice);
   if (cell < 0) return;
-  const FrozenGround ground = bed.ground();
+  const SurfaceSnapshot ground = bed.ground();
   Grain grain;
   if (!lift_off(law, ground, static_cast<int>(cell % bed.width), static_cast<int>(cell / bed.width), dice, grain)) {
     return;
   }
-  ++bed.gone[cell];  // nobody else polls this cell
+  ++bed.departures[cell];  // nobody else polls this cell
   if (bed.lifted != nullptr) ++bed.lifted[cell];
   ++tally.lifts;
   BedWatch watch{&bed};
@@ -214,11 +214,11 @@ ERG_CELL_RULE int upwind_cells(const GrainLaw& law, const BedPlanes& bed) {
 }
 
 /// Grains that enter over upwind cell `number`, as if they had just left the ground there. `inflow`: a step.
-ERG_CELL_ACT void let_grains_in(const GrainLaw& law, const BedPlanes& bed, const GrainMoment& now, double inflow,
+ERG_CELL_ACT void inject_grains(const GrainLaw& law, const BedPlanes& bed, const GrainMoment& now, double inflow,
                                 int number, GrainCounters& tally) {
   const bool side = number >= bed.width;
   const int v = side ? number - bed.width + 1 : 0;
-  const FrozenGround ground = bed.ground();
+  const SurfaceSnapshot ground = bed.ground();
   GrainDice dice = now.dice(GrainDraw::inflow, side ? bed.width + v : number, 0);
   const auto count = static_cast<int>(inflow / static_cast<double>(now.sub_steps) + static_cast<double>(dice.unit()));
   BedWatch watch{&bed};
@@ -231,38 +231,38 @@ ERG_CELL_ACT void let_grains_in(const GrainLaw& law, const BedPlanes& bed, const
   tally.in += count;
 }
 
-/// Hands out what impacts asked of the cell: takes loose grains and lets them hop. Where nothing is left loose, further
+/// Resolves what impacts asked of the cell: takes loose grains and lets them hop. Where nothing is left loose, further
 /// impacts free bonded grains with chance `abrasion`.
-ERG_CELL_ACT void hand_out(const GrainLaw& law, const BedPlanes& bed, const GrainMoment& now, double abrasion,
-                           std::int64_t cell, GrainCounters& tally) {
-  const int asked = bed.asked[cell];
-  if (asked == 0) return;
+ERG_CELL_ACT void resolve_splash(const GrainLaw& law, const BedPlanes& bed, const GrainMoment& now, double abrasion,
+                                 std::int64_t cell, GrainCounters& tally) {
+  const int requests = bed.ejection_requests[cell];
+  if (requests == 0) return;
   const int u = static_cast<int>(cell % bed.width);
   const int v = static_cast<int>(cell / bed.width);
-  const FrozenGround ground = bed.ground();
-  const int loose = ground.of_cell(u, v).loose - bed.gone[cell];
-  const int going = asked < loose ? asked : loose;
-  bed.gone[cell] += going;
-  if (asked > loose) {
-    const double wanted = (asked - loose) * abrasion;
+  const SurfaceSnapshot ground = bed.ground();
+  const int loose = ground.of_cell(u, v).loose - bed.departures[cell];
+  const int going = requests < loose ? requests : loose;
+  bed.departures[cell] += going;
+  if (requests > loose) {
+    const double wanted = (requests - loose) * abrasion;
     const int freed = static_cast<int>(wanted + now.unit(GrainDraw::abrasion, cell, 0));
     bed.bonded[cell] -= freed < bed.bonded[cell] ? freed : bed.bonded[cell];
   }
-  const float speed = static_cast<float>(bed.asked_speed[cell]) / static_cast<float>(asked) / speed_parts;
+  const float speed = static_cast<float>(bed.ejection_speed[cell]) / static_cast<float>(requests) / speed_parts;
   for (int k = 0; k < going; ++k) {
     GrainDice dice = now.dice(GrainDraw::reptation, cell, k);
     Grain grain;
     const bool stays = reptate(law, ground, u, v, speed, dice, grain);
     put_down(law, bed, stays ? FlightEnd::rested : FlightEnd::left, grain, dice, tally);
   }
-  bed.asked[cell] = bed.asked_speed[cell] = 0;
+  bed.ejection_requests[cell] = bed.ejection_speed[cell] = 0;
 }
 
 /// Books all that left the cell and came to it.
-ERG_CELL_RULE void settle_account(const BedPlanes& bed, std::int64_t cell) {
-  bed.mobile[cell] += bed.come[cell] - bed.gone[cell];
-  bed.stirred[cell] += bed.come[cell] + bed.gone[cell];
-  bed.come[cell] = bed.gone[cell] = 0;
+ERG_CELL_RULE void apply_deltas_to(const BedPlanes& bed, std::int64_t cell) {
+  bed.mobile[cell] += bed.arrivals[cell] - bed.departures[cell];
+  bed.disturbed[cell] += bed.arrivals[cell] + bed.departures[cell];
+  bed.arrivals[cell] = bed.departures[cell] = 0;
 }
 
 // --- the bed by itself ---
@@ -321,10 +321,10 @@ ERG_CELL_RULE bool find_edge(const BedPlanes& bed, const BedEdges& edges, int ou
   return true;
 }
 
-/// Loose grains slide down an edge steeper than the standing step. True when some did.
-ERG_CELL_RULE bool slide_grains(const BedPlanes& bed, const BedEdge& edge, std::int32_t standing) {
-  if (edge.difference <= standing) return false;
-  const std::int32_t wanted = (edge.difference - standing + 1) / 2;
+/// Loose grains slide down an edge steeper than the critical step. True when some did.
+ERG_CELL_RULE bool slide_grains(const BedPlanes& bed, const BedEdge& edge, std::int32_t critical_step) {
+  if (edge.difference <= critical_step) return false;
+  const std::int32_t wanted = (edge.difference - critical_step + 1) / 2;
   const std::int32_t loose = bed.mobile[edge.high] - bed.bonded[edge.high];
   const std::int32_t going = wanted < loose ? wanted : loose;
   bed.mobile[edge.high] -= going;
@@ -344,7 +344,7 @@ ERG_CELL_RULE void creep_grain(const BedPlanes& bed, const BedEdge& edge, int wa
 
 /// With chance `share` all loose grains of the cell bond that have rested during the step.
 ERG_CELL_RULE void bond_cell(const BedPlanes& bed, double share, const GrainMoment& now, std::int64_t cell) {
-  const std::int32_t resting = bed.mobile[cell] - bed.bonded[cell] - bed.stirred[cell];
+  const std::int32_t resting = bed.mobile[cell] - bed.bonded[cell] - bed.disturbed[cell];
   if (resting > 0 && now.unit(GrainDraw::bond, cell, 0) < share) bed.bonded[cell] += resting;
 }
 

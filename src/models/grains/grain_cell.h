@@ -24,7 +24,7 @@ struct GroundPoint {
 
 /// The frozen ground: a plane of (width + 2) x (length + 2) points, u fastest, with a rim of one cell all round that
 /// repeats what lies beyond the edge.
-struct FrozenGround {
+struct SurfaceSnapshot {
   const GroundPoint* points = nullptr;
   int width = 0;
   int length = 0;
@@ -137,7 +137,7 @@ ERG_CELL_RULE int cell_of(float place, int cells) {
 }
 
 /// The ground at (u, v), between cell centres by bilinear interpolation.
-ERG_CELL_RULE GroundSpot ground_at(const FrozenGround& ground, float cells_a_metre, float u, float v) {
+ERG_CELL_RULE GroundSpot ground_at(const SurfaceSnapshot& ground, float cells_a_metre, float u, float v) {
   const int column = static_cast<int>(u + 0.5f);  // of the plane with its rim
   const int row = static_cast<int>(v + 0.5f);
   const float right = u + 0.5f - static_cast<float>(column);
@@ -186,7 +186,7 @@ ERG_CELL_RULE void give_size(const GrainLaw& law, int size, Grain& grain) {
 }
 
 /// Sets a grain off from a random place in the cell, in the local wind.
-ERG_CELL_RULE void set_off(const GrainLaw& law, const FrozenGround& ground, int u, int v, GrainDice& dice,
+ERG_CELL_RULE void set_off(const GrainLaw& law, const SurfaceSnapshot& ground, int u, int v, GrainDice& dice,
                            Grain& grain) {
   grain.u = static_cast<float>(u) + dice.unit();
   grain.v = static_cast<float>(v) + dice.unit();
@@ -202,7 +202,7 @@ ERG_CELL_RULE void set_off(const GrainLaw& law, const FrozenGround& ground, int 
 }
 
 /// Sets a grain of the cell off into the air. False where none can leave: nothing loose, shelter, too weak a wind.
-ERG_CELL_RULE bool lift_off(const GrainLaw& law, const FrozenGround& ground, int u, int v, GrainDice& dice,
+ERG_CELL_RULE bool lift_off(const GrainLaw& law, const SurfaceSnapshot& ground, int u, int v, GrainDice& dice,
                             Grain& grain) {
   const GroundPoint& cell = ground.of_cell(u, v);
   const int size = dice.node();
@@ -242,7 +242,7 @@ ERG_CELL_RULE void advance(const GrainLaw& law, const GroundSpot& spot, Grain& g
 }
 
 /// Moves the grain on by `seconds` at its speed. False when it left over an open edge.
-ERG_CELL_RULE bool drift(const GrainLaw& law, const FrozenGround& ground, Grain& grain, float seconds) {
+ERG_CELL_RULE bool drift(const GrainLaw& law, const SurfaceSnapshot& ground, Grain& grain, float seconds) {
   const float cells = seconds * law.cells_a_metre;
   const auto width = static_cast<float>(ground.width);
   const auto length = static_cast<float>(ground.length);
@@ -261,7 +261,7 @@ ERG_CELL_RULE bool drift(const GrainLaw& law, const FrozenGround& ground, Grain&
 /// Flies a grain until it rests, leaves or is cut off. `watch` is told of every point of the way (`at(grain)`) and of
 /// every impact (`impact(cell_u, cell_v, grains, speed)`: so many grains are knocked loose there).
 template <typename Watch>
-ERG_CELL_RULE FlightEnd fly(const GrainLaw& law, const FrozenGround& ground, Grain& grain, GrainDice& dice,
+ERG_CELL_RULE FlightEnd fly(const GrainLaw& law, const SurfaceSnapshot& ground, Grain& grain, GrainDice& dice,
                             FlightCounters& sums, Watch& watch) {
   GroundSpot spot = ground_at(ground, law.cells_a_metre, grain.u, grain.v);
   float clearance = 0;
@@ -315,7 +315,7 @@ struct BedCell {
 
 /// Where a grain that comes down at (grain.u, grain.v) stays: there, or in a lower neighbour that it rolls into, with a
 /// chance that grows with the slope. So hollows of a cell fill up first.
-ERG_CELL_RULE BedCell resting_place(const GrainLaw& law, const FrozenGround& ground, const Grain& grain,
+ERG_CELL_RULE BedCell resting_place(const GrainLaw& law, const SurfaceSnapshot& ground, const Grain& grain,
                                     GrainDice& dice) {
   BedCell place{cell_of(grain.u, ground.width), cell_of(grain.v, ground.length)};
   const int way = static_cast<int>(dice.next() >> 62);
@@ -332,7 +332,7 @@ ERG_CELL_RULE BedCell resting_place(const GrainLaw& law, const FrozenGround& gro
 
 /// How far (cells) a grain gets from (u, v) along a direction of length 1, in a parabola that would end after `level`
 /// cells on level ground: shorter uphill, longer downhill and over a crest.
-ERG_CELL_RULE float way_over_ground(const GrainLaw& law, const FrozenGround& ground, float u, float v, float step_u,
+ERG_CELL_RULE float way_over_ground(const GrainLaw& law, const SurfaceSnapshot& ground, float u, float v, float step_u,
                                     float step_v, float level) {
   constexpr int longest = 1000;  // cells; only so that no loop is without end
   const GroundSpot start = ground_at(ground, law.cells_a_metre, u, v);
@@ -365,8 +365,8 @@ ERG_CELL_RULE float way_over_ground(const GrainLaw& law, const FrozenGround& gro
 
 /// Where a grain goes that an impact of this speed (m/s) knocked loose from the cell: a short, low hop along the wind
 /// or across it. Sets grain.u, grain.v and grain.along; false when it left over an open edge.
-ERG_CELL_RULE bool reptate(const GrainLaw& law, const FrozenGround& ground, int u, int v, float speed, GrainDice& dice,
-                           Grain& grain) {
+ERG_CELL_RULE bool reptate(const GrainLaw& law, const SurfaceSnapshot& ground, int u, int v, float speed,
+                           GrainDice& dice, Grain& grain) {
   const float aside = dice.unit();
   const bool straight = aside >= law.sideways;
   const float hand = aside < 0.5f * law.sideways ? 1.0f : -1.0f;

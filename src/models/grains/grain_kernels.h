@@ -20,7 +20,7 @@ ERG_ON_DEVICE void snapshot(const Plan& plan, Items items) {
   std::uint32_t highest = 0;
   std::uint32_t under_lowest = 0;
   EACH_ITEM(cell, plan.bed.cells()) {
-    freeze_cell(plan.bed, cell % plan.bed.width, cell / plan.bed.width);
+    snapshot_cell(plan.bed, cell % plan.bed.width, cell / plan.bed.width);
     const auto height = static_cast<std::uint32_t>(plan.bed.height(cell) - plan.bed.lowest);
     if (height > highest) highest = height;
     if (~height > under_lowest) under_lowest = ~height;
@@ -63,7 +63,7 @@ ERG_ON_DEVICE void shadow(const Plan& plan, Items items) {
 }
 
 ERG_ON_DEVICE void rim(const Plan& plan, Items items) {
-  EACH_ITEM(number, rim_points(plan.bed)) { freeze_rim(plan.bed, number); }
+  EACH_ITEM(number, rim_points(plan.bed)) { snapshot_rim(plan.bed, number); }
 }
 
 // --- flights ---
@@ -83,7 +83,7 @@ ERG_ON_DEVICE void fly(const Plan& plan, Items items) {
 ERG_ON_DEVICE void inject(const Plan& plan, Items items) {
   GrainCounters counted;
   EACH_ITEM(number, upwind_cells(*plan.law, plan.bed)) {
-    let_grains_in(*plan.law, plan.bed, plan.now, plan.inflow, number, counted);
+    inject_grains(*plan.law, plan.bed, plan.now, plan.inflow, number, counted);
   }
   count(plan, items, counted);
 }
@@ -91,12 +91,14 @@ ERG_ON_DEVICE void inject(const Plan& plan, Items items) {
 /// Grains that impacts knocked loose hop. One thread, one cell.
 ERG_ON_DEVICE void resolve_splash(const Plan& plan, Items items) {
   GrainCounters counted;
-  EACH_ITEM(cell, plan.bed.cells()) { hand_out(*plan.law, plan.bed, plan.now, plan.abrasion, cell, counted); }
+  EACH_ITEM(cell, plan.bed.cells()) {
+    erg::resolve_splash(*plan.law, plan.bed, plan.now, plan.abrasion, cell, counted);
+  }
   count(plan, items, counted);
 }
 
 ERG_ON_DEVICE void apply_deltas(const Plan& plan, Items items) {
-  EACH_ITEM(cell, plan.bed.cells()) { settle_account(plan.bed, cell); }
+  EACH_ITEM(cell, plan.bed.cells()) { apply_deltas_to(plan.bed, cell); }
 }
 
 // --- the bed by itself ---
@@ -108,7 +110,7 @@ ERG_ON_DEVICE void slide(const Plan& plan, Items items) {
   EACH_ITEM(item, edges) {
     BedEdge edge;
     if (!find_edge(plan.bed, plan.edges, item / plan.edges.inner, item % plan.edges.inner, edge)) continue;
-    if (slide_grains(plan.bed, edge, plan.standing)) any = true;
+    if (slide_grains(plan.bed, edge, plan.critical_step)) any = true;
   }
   if (any) raise(plan.slid, 1);
 }

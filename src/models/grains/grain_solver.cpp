@@ -79,7 +79,8 @@ GrainReport fly_grains(Executor& executor, Terrain& terrain, const GrainStepLaw&
 // --- in and out ---
 
 void GrainSolver::allocate(std::size_t cells, const WindFrame& frame) {
-  for (FrameLayer* counts : {&bedrock_, &mobile_, &bonded_, &gone_, &come_, &stirred_, &asked_, &asked_speed_}) {
+  for (FrameLayer* counts :
+       {&bedrock_, &mobile_, &bonded_, &departures_, &arrivals_, &disturbed_, &ejection_requests_, &ejection_speed_}) {
     backend_.fit(*counts, cells);
   }
   layers_.fit(cells);
@@ -88,7 +89,7 @@ void GrainSolver::allocate(std::size_t cells, const WindFrame& frame) {
   backend_.fit(law_, 1);
   backend_.fit(bounds_, 3);
   backend_.fit(counters_, std::size_t{counter_slots} * grain_counters);
-  for (const FrameLayer* counts : {&gone_, &come_, &asked_, &asked_speed_}) {
+  for (const FrameLayer* counts : {&departures_, &arrivals_, &ejection_requests_, &ejection_speed_}) {
     backend_.fill(*counts, 0);  // so every step leaves them
   }
   backend_.fill(bounds_, 0);
@@ -144,11 +145,11 @@ void GrainSolver::prepare(const Terrain& terrain, const GrainStepLaw& law, bool 
   plan_.bed.bedrock = bedrock_.data();
   plan_.bed.mobile = mobile_.data();
   plan_.bed.bonded = bonded_.data();
-  plan_.bed.gone = gone_.data();
-  plan_.bed.come = come_.data();
-  plan_.bed.stirred = stirred_.data();
-  plan_.bed.asked = asked_.data();
-  plan_.bed.asked_speed = asked_speed_.data();
+  plan_.bed.departures = departures_.data();
+  plan_.bed.arrivals = arrivals_.data();
+  plan_.bed.disturbed = disturbed_.data();
+  plan_.bed.ejection_requests = ejection_requests_.data();
+  plan_.bed.ejection_speed = ejection_speed_.data();
   plan_.bed.points = points_.data();
   plan_.law = law_.data();
   plan_.abrasion = law.abrasion;
@@ -158,7 +159,7 @@ void GrainSolver::prepare(const Terrain& terrain, const GrainStepLaw& law, bool 
   plan_.bounds = bounds_.data();
   plan_.slid = bounds_.data() + 2;
   plan_.counters = counters_.data();
-  backend_.fill(stirred_, 0);
+  backend_.fill(disturbed_, 0);
   backend_.fill(counters_, 0);
   if (!counts_lifts) return;
   backend_.fit(lifted_, static_cast<std::size_t>(cells()));
@@ -190,7 +191,7 @@ void GrainSolver::run(const GrainStepLaw& law, double inflow, StepKey key, const
     if (look && sub_step + 1 == law.sub_steps) show_ground(look);
     backend_.launch(Kernels::resolve_splash, cells(), plan_);
     backend_.launch(Kernels::apply_deltas, cells(), plan_);
-    slide_slopes(law.standing);
+    slide_slopes(law.repose);
   }
   plan_.now = {key, 0, law.sub_steps};
   for (int way = 0; way < 2 && law.settling > 0; ++way) launch_edges(Kernels::creep, way);
@@ -208,7 +209,7 @@ void GrainSolver::snapshot() {
 /// Looking is for pictures, which the processor makes.
 void GrainSolver::show_ground(const GroundLook& look) {
   const std::vector<GroundPoint> points = backend_.fetch(points_.data(), points_.size());
-  FrozenGround ground = plan_.bed.ground();
+  SurfaceSnapshot ground = plan_.bed.ground();
   ground.points = points.data();
   look(ground);
 }
@@ -221,7 +222,7 @@ void GrainSolver::launch_edges(const KernelOf<grain::Plan>& kernel, int way) {
   }
 }
 
-void GrainSolver::slide_slopes(StandingSteps standing) {
+void GrainSolver::slide_slopes(ReposeSteps repose) {
   const GrainMoment& now = plan_.now;
   for (int pass = 0; pass < slide_passes; ++pass) {
     // The ways in an order drawn anew, so that none comes first always.
@@ -232,7 +233,7 @@ void GrainSolver::slide_slopes(StandingSteps standing) {
           order[random_below(now.key, now.sweep(GrainDraw::slide), static_cast<std::uint64_t>(pass), last, last + 1)]);
     }
     for (const int way : order) {
-      plan_.standing = way_u(way) == 0 || way_v(way) == 0 ? standing.straight : standing.diagonal;
+      plan_.critical_step = way_u(way) == 0 || way_v(way) == 0 ? repose.straight : repose.diagonal;
       launch_edges(grain::Kernels::slide, way);
     }
     if (!has_slid()) return;

@@ -22,7 +22,7 @@
 namespace erg {
 
 /// Called with the ground that the flights of a step's last sub-step see; it may fly some of them once more.
-using GroundLook = std::function<void(const FrozenGround& ground)>;
+using GroundLook = std::function<void(const SurfaceSnapshot& ground)>;
 
 /// Flies the grains of one time step, lets their bed slide, creep and bond, and books in- and outflow. The same bits on
 /// every executor. `look` may be empty.
@@ -52,7 +52,7 @@ class GrainSolver : public Solver {
 
   void snapshot();
   void show_ground(const GroundLook& look);
-  void slide_slopes(StandingSteps standing);
+  void slide_slopes(ReposeSteps repose);
   bool has_slid();
   void launch_edges(const KernelOf<grain::Plan>& kernel, int way);
 
@@ -68,12 +68,12 @@ class GrainSolver : public Solver {
   FrameLayer bedrock_;
   FrameLayer mobile_;
   FrameLayer bonded_;
-  FrameLayer gone_;
-  FrameLayer come_;
-  FrameLayer stirred_;
+  FrameLayer departures_;
+  FrameLayer arrivals_;
+  FrameLayer disturbed_;
   FrameLayer lifted_;  // empty until lifts are counted
-  FrameLayer asked_;
-  FrameLayer asked_speed_;
+  FrameLayer ejection_requests_;
+  FrameLayer ejection_speed_;
   Buffer<float> shelter_;
   Buffer<GroundPoint> points_;
   Buffer<GrainLaw> law_;

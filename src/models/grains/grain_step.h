@@ -18,7 +18,7 @@ struct GrainStepLaw {
   GrainLaw grain;          ///< of every single grain
   int sub_steps = 4;       ///< each polls another part of the cells and sees the ground that the last one left
   double shadow_fall = 1;  ///< quanta a cell: the shadow line behind a crest
-  StandingSteps standing;
+  ReposeSteps repose;
   double abrasion = 0;  ///< chance that an impact which finds nothing loose frees a bonded grain
   double settling = 0;  ///< chance that a loose grain creeps to a neighbour one parcel lower
   double bonding = 0;   ///< share of the cells in which the grains that have rested in this step bond

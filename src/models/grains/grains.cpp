@@ -67,7 +67,7 @@ void GrainModel::begin(Terrain& terrain) {
 
 // Flies some grains of the last sub-step once more, over the ground that they saw, and keeps their ways.
 void GrainModel::trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law, StepKey key,
-                             const FrozenGround& ground) {
+                             const SurfaceSnapshot& ground) {
   const auto cells = static_cast<std::int64_t>(terrain.extent().cells());
   const GrainMoment last{key, law.sub_steps - 1, law.sub_steps};
   const std::int64_t polls = polls_of(last, cells);
@@ -112,7 +112,7 @@ GrainStepLaw GrainModel::step_law(const Terrain& terrain, const WindFrame& frame
   law.grain = grain_law(values_, wind, frame, terrain.cell_size());
   law.sub_steps = static_cast<int>(values_.sub_steps);
   law.shadow_fall = shadow_fall(terrain.cell_size());
-  law.standing = StandingSteps::of_angle(values_.repose_angle, terrain.cell_size(), terrain.quantum());
+  law.repose = ReposeSteps::of_angle(values_.repose_angle, terrain.cell_size(), terrain.quantum());
   law.abrasion = values_.abrasion;
   law.settling = values_.settling;
   if (values_.bonding_time > 0) law.bonding = 1 - std::exp(-1 / values_.bonding_time);
@@ -125,7 +125,7 @@ StepReport GrainModel::step(Terrain& terrain, const WindNow& wind, StepKey key, 
   const GrainStepLaw law = step_law(terrain, frame, wind);
   GroundLook look;
   if (paths_wanted_ > 0) {
-    look = [&](const FrozenGround& ground) { trace_paths(terrain, frame, law, key, ground); };
+    look = [&](const SurfaceSnapshot& ground) { trace_paths(terrain, frame, law, key, ground); };
   }
   paths_.clear();
   const GrainReport report = fly_grains(executor, terrain, law, wind, key, look);

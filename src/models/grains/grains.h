@@ -49,7 +49,7 @@ class GrainModel : public Model {
   std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
   GrainStepLaw step_law(const Terrain& terrain, const WindFrame& frame, const WindNow& wind);
   void trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law, StepKey key,
-                   const FrozenGround& ground);
+                   const SurfaceSnapshot& ground);
 
   GrainValues values_;
   std::shared_ptr<const std::vector<float>> shelter_;

@@ -15,7 +15,7 @@ struct Plan {
   double settling = 0;
   double bonding = 0;
   BedEdges edges;  ///< what a launch that slides or creeps works on
-  int standing = 0;
+  int critical_step = 0;
   int shadow_rows = 32;  ///< of a line that one thread follows
 
   std::uint32_t* bounds = nullptr;  ///< over the lowest bedrock, quanta: the highest cell; ~ the lowest cell

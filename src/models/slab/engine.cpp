@@ -18,6 +18,7 @@ constexpr std::uint32_t narrow_shadow = 0xffff;
 int warm_up_rows(const SubSweep& sweep, int highest) {
   const std::int64_t fall_rows = (std::int64_t{highest} << fixed_point_bits) / sweep.row_fall;
   return static_cast<int>(std::min(fall_rows, sweep.rows_around)) + 2;
+} << fixed_point_bits), sweep.row_fall, 1, around + 2);
 }
 
 /// Tiles are numbered up each block, then along the blocks.
@@ -63,7 +64,7 @@ StepReport SlabEngine::step(Terrain& terrain, const SlabLaw& law, const WindFram
   highest_ = progress.highest;
   add_lift_counts_to(lift_counts);
 
-  const SweepCounts& counts = progress.counts;
+  const SweepCounters& counts = progress.counts;
   mobile_total_ += counts.slabs_in - counts.slabs_out;
   StepReport report;
   report.polls = counts.polls;
@@ -151,7 +152,7 @@ SlabEngine::Progress SlabEngine::sweep_as_member(int member, Progress progress, 
     const SlidePlan<Lane> slides = slide_plan<Lane>(plan, *progress.law, member, turn);
     slide_blocks<Lane>(kernels, slides, member, apart);
     pool_.barrier();
-    const SweepCounts counts = summed(mine.strips, turn);
+    const SweepCounters counts = summed(mine.strips, turn);
     const int bound = progress.highest + static_cast<int>(counts.most_landed + counts.most_carried);
     if (counts.crowded || (sizeof(Lane) == 1 && !narrow_fits(bound))) {
       progress.crowded = true;
@@ -177,7 +178,7 @@ void SlabEngine::barrier_unless(bool apart) {
   if (!apart) pool_.barrier();
 }
 
-void SlabEngine::take_account(Progress& progress, const SubSweep& done, const SweepCounts& counts, int bound) {
+void SlabEngine::take_account(Progress& progress, const SubSweep& done, const SweepCounters& counts, int bound) {
   progress.counts.polls += counts.polls;
   progress.counts.lifts += counts.lifts;
   progress.counts.rows_flown += counts.rows_flown;
@@ -188,10 +189,10 @@ void SlabEngine::take_account(Progress& progress, const SubSweep& done, const Sw
 }
 
 template <typename Lane>
-SweepCounts SlabEngine::summed(const std::vector<Strip<Lane>>& strips, int turn) {
-  SweepCounts sum;
+SweepCounters SlabEngine::summed(const std::vector<Strip<Lane>>& strips, int turn) {
+  SweepCounters sum;
   for (const Strip<Lane>& strip : strips) {
-    const SweepCounts& counts = strip.shown[turn];
+    const SweepCounters& counts = strip.shown[turn];
     sum.polls += counts.polls;
     sum.lifts += counts.lifts;
     sum.rows_flown += counts.rows_flown;

@@ -38,7 +38,7 @@ class SlabEngine : public SlabSolver {
     AlignedVector<Lane> before;
     AlignedVector<Lane> after;
     AlignedVector<Lane> bedrock;  ///< empty where level
-    AlignedVector<Lane> steps;    ///< standing step of each cell; empty where all are the same
+    AlignedVector<Lane> steps;    ///< critical step of each cell; empty where all are the same
     AlignedVector<Lane> diagonal_steps;
     std::vector<Strip<Lane>> strips;
     AlignedVector<Lane> rings;
@@ -51,8 +51,8 @@ class SlabEngine : public SlabSolver {
   /// What the loaded cover, and the steps that stand under it, were made from.
   struct CoverSource {
     std::uint64_t stamp = 0;  ///< 0: none is loaded
-    StandingSteps bare;
-    StandingSteps covered;
+    ReposeSteps bare;
+    ReposeSteps covered;
     std::uint8_t covered_from = 0;
 
     bool operator==(const CoverSource&) const = default;
@@ -65,7 +65,7 @@ class SlabEngine : public SlabSolver {
     StepAccount account;
     int highest = 0;       ///< bound on the highest cell
     bool crowded = false;  ///< the next sub-sweep needs 16-bit lanes
-    SweepCounts counts;    ///< summed over sub-sweeps
+    SweepCounters counts;  ///< summed over sub-sweeps
   };
 
   template <typename Lane>
@@ -115,9 +115,9 @@ class SlabEngine : public SlabSolver {
   bool sweep_until_done(Progress& progress);
   template <typename Lane>
   Progress sweep_as_member(int member, Progress progress, int rows);
-  static void take_account(Progress& progress, const SubSweep& done, const SweepCounts& counts, int bound);
+  static void take_account(Progress& progress, const SubSweep& done, const SweepCounters& counts, int bound);
   template <typename Lane>
-  static SweepCounts summed(const std::vector<Strip<Lane>>& strips, int turn);
+  static SweepCounters summed(const std::vector<Strip<Lane>>& strips, int turn);
   void draw_round(const Progress& progress, int member);
   /// Which of the polled_rows_ is the round's: two in turn, for a member may draw those of the next round while another
   /// still polls by this one's.

@@ -49,7 +49,7 @@ Binding<PlantedSlabs> nield_baas_binding() {
 
 std::vector<std::string> explain_plants(const PlantedSlabs& values, double cell_size) {
   std::vector<std::string> lines = explain_slabs(values, cell_size);
-  const int step = StandingSteps::of_angle(values.vegetated_repose_angle, cell_size, values.slab_height).straight;
+  const int step = ReposeSteps::of_angle(values.vegetated_repose_angle, cell_size, values.slab_height).straight;
   char line[120];
   std::snprintf(line, sizeof line, "repose under plants %g°: a step of %d slabs stands", values.vegetated_repose_angle,
                 step);
@@ -77,7 +77,7 @@ class NieldBaas : public SlabModel {
   StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.lift_in_shadow = values_.lift_in_shadow;
-    law.covered = StandingSteps::of_angle(values_.vegetated_repose_angle, terrain.cell_size(), quantum());
+    law.covered = ReposeSteps::of_angle(values_.vegetated_repose_angle, terrain.cell_size(), quantum());
     law.covered_from = static_cast<std::uint8_t>(values_.repose_from * 255 + 0.5);
     law.cover = &plants_->cover(terrain);
     StepReport report = move_slabs(executor, terrain, law, wind, key);

@@ -246,8 +246,8 @@ void SlabOnDevice::slide(slab::Plan plan, const SlabLaw& law) {
   const auto choose = [&](EdgeClass edges) {
     const bool diagonal = is_diagonal(edges);
     plan.edges = edges;
-    plan.stands = std::min(diagonal ? law.bare.diagonal : law.bare.straight, longest_step);
-    plan.stands_covered = std::min(diagonal ? law.covered.diagonal : law.covered.straight, longest_step);
+    plan.critical_step = std::min(diagonal ? law.bare.diagonal : law.bare.straight, longest_step);
+    plan.critical_step_covered = std::min(diagonal ? law.covered.diagonal : law.covered.straight, longest_step);
   };
   for (int k = 0; k < plan.sweep.edge_classes; ++k) {
     choose(static_cast<EdgeClass>(plan.sweep.order[k]));

@@ -57,11 +57,11 @@ struct Plan {
   std::int32_t* aloft_count = nullptr;
   CounterWord* counters = nullptr;  ///< counter_slots * step_counters
 
-  int shadow_rows = 32;          ///< of a line that one thread scans for shadow
-  PlaneLayout tiles;             ///< only its blocks and their skew: on the device a plane is not cut
-  EdgeClass edges = along_even;  ///< what a launch that slides works on
-  int stands = 0;                ///< the largest step over such an edge that stands: of bare sand
-  int stands_covered = 0;        ///< the same where the higher cell's cover is covered_from or more
+  int shadow_rows = 32;           ///< of a line that one thread scans for shadow
+  PlaneLayout tiles;              ///< only its blocks and their skew: on the device a plane is not cut
+  EdgeClass edges = along_even;   ///< what a launch that slides works on
+  int critical_step = 0;          ///< the largest step over such an edge that stands: of bare sand
+  int critical_step_covered = 0;  ///< the same where the higher cell's cover is covered_from or more
   int covered_from = 256;
 
   TerrainOrder order;

@@ -189,7 +189,7 @@ std::size_t SlabReference::steepest_neighbour(Place place, bool uphill) const {
     const std::size_t there = index(u, v);
     const std::size_t higher = uphill ? there : here;
     const int difference = 1 + (uphill ? surface_[there] - surface_[here] : surface_[here] - surface_[there]);
-    const StandingSteps& steps = covered(higher) ? law_.covered : law_.bare;
+    const ReposeSteps& steps = covered(higher) ? law_.covered : law_.bare;
     if (difference <= (offset.diagonal ? steps.diagonal : steps.straight)) continue;
     if (uphill && surface_[there] == ground(there)) continue;  // bare rock has nothing to give
     const double slope = offset.diagonal ? difference / std::sqrt(2.0) : difference;

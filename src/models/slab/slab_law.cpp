@@ -10,7 +10,7 @@ double HopLaw::cells(double strength, double above_reference) const {
   return hop_cells(strength, linear, quadratic, above_reference);
 }
 
-StandingSteps StandingSteps::of_angle(double angle, double cell_size, double slab_height) {
+ReposeSteps ReposeSteps::of_angle(double angle, double cell_size, double slab_height) {
   return {erg::standing_step(angle, cell_size, slab_height),
           erg::standing_step(angle, cell_size * std::numbers::sqrt2, slab_height)};
 }

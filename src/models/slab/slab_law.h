@@ -35,14 +35,14 @@ struct HopLaw {
 };
 
 /// The largest steps between neighbouring cells that stand, in slabs; a larger one slides (tested before the move).
-struct StandingSteps {
+struct ReposeSteps {
   int straight = 2;
   int diagonal = 3;  ///< to a diagonal neighbour, sqrt(2) cells away
 
-  bool operator==(const StandingSteps&) const = default;
+  bool operator==(const ReposeSteps&) const = default;
 
   /// The steps that an angle of repose (degrees) means on this grid.
-  static StandingSteps of_angle(double angle, double cell_size, double slab_height);
+  static ReposeSteps of_angle(double angle, double cell_size, double slab_height);
 };
 
 /// What a model of slabs hands over for a step. The numbers here are those of a bare law in tests and measurements; a
@@ -53,8 +53,8 @@ struct SlabLaw {
   double p_bare = 0.4;             ///< chance that it stays on bare ground
   double shadow_fall = 0.8;        ///< slabs a cell: the shadow line behind a peak
   bool lift_in_shadow = true;      ///< Werner: yes; Momiji and Bishop: no
-  StandingSteps bare;              ///< repose of bare sand
-  StandingSteps covered;           ///< repose of the higher cell's sand where its cover >= covered_from
+  ReposeSteps bare;                ///< repose of bare sand
+  ReposeSteps covered;             ///< repose of the higher cell's sand where its cover >= covered_from
   std::uint8_t covered_from = 77;  ///< 0.3 of 255
   int neighbours = 4;              ///< 4 or 8: where sand slides to
   bool repeated_polling = true;    ///< false: each cell is polled exactly once a step

@@ -10,8 +10,8 @@
 namespace erg {
 namespace {
 
-StandingSteps standing_steps(const SlabValues& values, double cell_size) {
-  return StandingSteps::of_angle(values.repose_angle, cell_size, values.slab_height);
+ReposeSteps repose_steps(const SlabValues& values, double cell_size) {
+  return ReposeSteps::of_angle(values.repose_angle, cell_size, values.slab_height);
 }
 
 }  // namespace
@@ -129,7 +129,7 @@ Binding<SlabValues> slab_binding(const SlabFamily& family) {
 }
 
 std::vector<std::string> explain_slabs(const SlabValues& values, double cell_size) {
-  const StandingSteps steps = standing_steps(values, cell_size);
+  const ReposeSteps steps = repose_steps(values, cell_size);
   const double slab = values.slab_height;
   char repose[160];
   std::snprintf(repose, sizeof repose, "repose %g°: a step of %d slab%s (%.1f°) stands, a larger one slides",
@@ -170,7 +170,7 @@ SlabLaw SlabModel::law(const Terrain& terrain) const {
   law.p_bare = values_.p_bare;
   law.shadow_fall = shadow_fall(terrain.cell_size());
   law.lift_in_shadow = family_.lift_in_shadow;
-  law.bare = law.covered = standing_steps(values_, terrain.cell_size());
+  law.bare = law.covered = repose_steps(values_, terrain.cell_size());
   law.neighbours = values_.neighbours;
   law.repeated_polling = values_.polling == Polling::repeated;
   law.forced_erosion = values_.forced_erosion;

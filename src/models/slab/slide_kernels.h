@@ -6,15 +6,15 @@
 namespace erg::slab {
 
 /// The step that stands over an edge, seen from its higher cell.
-ERG_ON_DEVICE std::uint32_t standing_step(const Plan& plan, std::int32_t cell) {
+ERG_ON_DEVICE std::uint32_t critical_step_at(const Plan& plan, std::int32_t cell) {
   const bool covered = plan.cover != nullptr && plan.cover[cell] >= plan.covered_from;
-  return static_cast<std::uint32_t>(covered ? plan.stands_covered : plan.stands);
+  return static_cast<std::uint32_t>(covered ? plan.critical_step_covered : plan.critical_step);
 }
 
 /// One slab from cell to cell, if it lies too steeply there and is none of the bedrock.
 ERG_ON_DEVICE bool slide_down(const Plan& plan, std::int32_t from, std::int32_t to) {
   const std::uint32_t high = height_of(plan.after[from]);
-  if (high <= height_of(plan.after[to]) + standing_step(plan, from)) return false;
+  if (high <= height_of(plan.after[to]) + critical_step_at(plan, from)) return false;
   if (plan.bedrock != nullptr && high <= plan.bedrock[from]) return false;
   plan.after[from] -= 1;
   plan.after[to] += 1;

@@ -91,7 +91,7 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
 /// HopCurve::rounding of a step; over a few steps in a row its values lie evenly in [0, 1).
 double hop_rounding(StepKey key);
 
-/// A standing step that 16 bits can add to any height; steeper slopes than this need no test.
+/// A critical step that 16 bits can add to any height; steeper slopes than this need no test.
 inline constexpr int longest_step = 25000;
 
 /// Forced erosion gives up after this many rounds of K sub-sweeps without a lift.

@@ -60,7 +60,7 @@ struct SweepPlan : SubSweep {
 };
 
 /// Counts of one strip in one sub-sweep.
-struct SweepCounts {
+struct SweepCounters {
   std::int64_t polls = 0;
   std::int64_t lifts = 0;
   std::int64_t rows_flown = 0;
@@ -82,8 +82,8 @@ struct alignas(fetched_ahead) Strip {
   using Shadow = std::conditional_t<sizeof(Lane) == 1, std::uint16_t, std::uint32_t>;
   int first = 0;  ///< first line
   int lines = 0;  ///< at most strip_lines
-  SweepCounts counts;
-  SweepCounts shown[2];                     ///< counts of the last two sub-sweeps, for all members to read
+  SweepCounters counts;
+  SweepCounters shown[2];                   ///< counts of the last two sub-sweeps, for all members to read
   std::int64_t last_arrival = -1;           ///< no slab in the air comes down after this row
   alignas(64) Shadow line[strip_lines];     ///< height of the shadow line, 1/256 slabs
   alignas(64) Lane upwind[2][strip_lines];  ///< heights of the last two rows, in turn (oblique winds)
@@ -100,7 +100,7 @@ struct SlidePlan {
   PlaneLayout layout;
   Lane* heights = nullptr;
   const Lane* bedrock = nullptr;         ///< null where level
-  const Lane* steps = nullptr;           ///< standing step of each cell; null: `step` everywhere
+  const Lane* steps = nullptr;           ///< critical step of each cell; null: `step` everywhere
   const Lane* diagonal_steps = nullptr;  ///< the same to diagonal neighbours
   int step = 2;
   int diagonal_step = 3;
@@ -117,7 +117,7 @@ struct SlidePlan {
   }
 };
 
-/// Four columns beside a seam with the height, bedrock and both standing steps of their cells.
+/// Four columns beside a seam with the height, bedrock and both critical steps of their cells.
 inline constexpr int seam_columns = 16;
 
 /// A block's cells in some of its rows, which slide by themselves. Tiles are a part of the rules: they depend on the

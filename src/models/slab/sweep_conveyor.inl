@@ -17,7 +17,7 @@ class Conveyor {
   }
 
   void convey() {
-    strip_.counts = SweepCounts{};
+    strip_.counts = SweepCounters{};
     strip_.last_arrival = -1;
     std::memset(strip_.line, 0, sizeof strip_.line);
     std::memset(strip_.upwind, 0, sizeof strip_.upwind);

@@ -1,0 +1,111 @@
+#include "showers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "models/slab/slab_model.h"
+#include "rain_kernels.h"
+
+namespace erg {
+namespace rain {
+
+#define ERG_KERNEL(family, name) \
+  constinit const KernelOf<Plan> Kernels::name = make_kernel<Plan, family::name>(#family "_" #name);
+#include "rain_kernels.def"
+#undef ERG_KERNEL
+
+}  // namespace rain
+namespace {
+
+constexpr SlabFamily family{};
+
+Parameters showers_parameters() {
+  Parameters parameters = slab_parameters(family);
+  parameters.push_back(real_parameter("shower_chance", "Chance of a shower", "", 0.1, 0, 1,
+                                      "Chance that a shower falls in a step, anywhere on the grid."));
+  parameters.push_back(
+      real_parameter("shower_radius", "Radius of a shower", "m", 20, 0, 10000, "Of the ground it wets."));
+  parameters.push_back(real_parameter("drying_steps", "Steps to dry", "steps", 20, 1, 10000,
+                                      "Steps after which wet ground is dry again.", "Wiggs, Baird & Atherton 2004"));
+  return parameters;
+}
+
+std::vector<FieldInfo> showers_fields() {
+  return {{"moisture", "Moisture", "", 0, 255, "vegetation", "How wet the ground is: 0 dry, 255 wet through."}};
+}
+
+class Showers : public SlabModel {
+ public:
+  explicit Showers(ParameterValues values) : SlabModel(family, std::move(values)) {}
+
+  void begin(Terrain& terrain) override {
+    if (!terrain.fields().empty()) return;  // a run that is resumed
+    terrain.edit_fields().push_back({showers_fields().front(), Grid<float>(terrain.extent())});
+  }
+
+  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
+    let_it_rain(terrain, key, executor);
+    SlabLaw law = SlabModel::law(terrain);
+    law.cover = &cover_;
+    return move_slabs(executor, terrain, law, wind, key);
+  }
+
+ private:
+  rain::Plan plan(const Terrain& terrain, StepKey key) const {
+    rain::Plan plan;
+    plan.nx = terrain.nx();
+    plan.ny = terrain.ny();
+    plan.torus = terrain.boundary() == Boundary::torus;
+    plan.drying = static_cast<std::int32_t>(std::ceil(255 / values().real("drying_steps")));
+    plan.x = static_cast<std::int32_t>(random_below(key, 0, 0, 0, static_cast<std::uint32_t>(plan.nx)));
+    plan.y = static_cast<std::int32_t>(random_below(key, 0, 1, 0, static_cast<std::uint32_t>(plan.ny)));
+    if (random_unit(key, 0, 2, 0) < values().real("shower_chance")) {
+      plan.radius = static_cast<std::int32_t>(values().real("shower_radius") / terrain.cell_size());
+    }
+    return plan;
+  }
+
+  /// The moisture of this step, in the terrain's layer and as what holds slabs.
+  void let_it_rain(Terrain& terrain, StepKey key, Executor& executor) {
+    rain::Plan plan = this->plan(terrain, key);
+    std::vector<std::int32_t> moisture(terrain.extent().cells());
+    executor.on_backend(terrain, [&](Backend& backend) {
+      const std::span<const float> before = std::as_const(terrain).fields().front().values.cells();
+      Buffer<std::int32_t> cells(backend, moisture.size());
+      backend.send_each(cells, [&](std::size_t cell) { return static_cast<std::int32_t>(before[cell]); });
+      plan.moisture = cells.data();
+      backend.launch(rain::Kernels::wet, static_cast<std::int64_t>(moisture.size()), plan);
+      moisture = backend.fetch(cells.data(), cells.size());
+    });
+    CoverField& cover = cover_.edit();
+    if (cover.extent() != terrain.extent()) cover = CoverField(terrain.extent());
+    std::ranges::copy(moisture, terrain.edit_fields().front().values.cells().begin());
+    for (std::size_t cell = 0; cell < moisture.size(); ++cell) cover[cell] = static_cast<std::uint8_t>(moisture[cell]);
+  }
+
+  Cover cover_;
+};
+
+}  // namespace
+
+ModelType showers() {
+  return {{.key = "showers",
+           .title = "Showers",
+           .citation = "Werner 1995 on ground that dries as in Wiggs, G. F. S., Baird, A. J. & Atherton, R. J. (2004). "
+                       "The dynamic effects of moisture on the entrainment and transport of sand by wind. "
+                       "Geomorphology 59, 13-30.",
+           .makes = "dunes with patches that stand still for a while",
+           .leaves_out = "how deep rain soaks in, run-off, the sun, salt",
+           .step = slab_step,
+           .strength_label = slab_strength},
+          showers_parameters(),
+          showers_fields(),
+          6,  // bytes a cell: moisture on its way, the cover, here and with the executor
+          [](const ParameterValues& values) { return std::make_unique<Showers>(values); },
+          explain_slabs,
+          slab_step_scale};
+}
+
+}  // namespace erg
