@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/command.h"
@@ -12,17 +13,31 @@
 #include "io/config_file.h"
 #include "io/start_simulation.h"
 #include "models/model.h"
+#include "sim/memory.h"
 #include "sim/step_time.h"
 
 namespace erg {
 namespace {
+
+/// Finds what a run refuses at its start, where there is memory for that; else the note says what there is not.
+void try_start(Config config, const ConfigPictures& pictures, std::vector<std::string>& notes) {
+  config.run.set("executor", std::string("serial"));  // no threads and no device for a run of no steps
+  try {
+    check_memory({&config, 1}, 0, free_memory());
+  } catch (const InputError& short_of_memory) {
+    notes.emplace_back(short_of_memory.what());
+    return;
+  }
+  Simulation(std::move(config), pictures.scene ? &*pictures.scene : nullptr,
+             pictures.model ? &*pictures.model : nullptr);
+}
 
 ExitCode check_config(const std::string& name) {
   const std::string path = config_path(name);
   std::vector<std::string> notes;
   Config config = read_config(path, &notes);
   take_grid_from_picture(config);
-  read_pictures(config, &notes);
+  try_start(config, read_pictures(config, &notes), notes);
   const ModelType& type = find_model(config.model);
   std::cout << path << ": good; " << type.info.title << ", " << config.grid.integer("nx") << " x "
             << config.grid.integer("ny") << " cells, " << config.run.integer("steps") << " steps\n";

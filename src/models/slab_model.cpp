@@ -89,7 +89,7 @@ SlabModel::SlabModel(const SlabFamily& family, ParameterValues values) : family_
 
 double SlabModel::quantum() const { return values_.real("slab_height"); }
 
-void SlabModel::begin(Terrain&) {}
+void SlabModel::begin(Terrain& terrain) { check_height(terrain); }
 
 double SlabModel::shadow_fall(double cell_size) const {
   return erg::shadow_fall(values_.real("shadow_angle"), cell_size, quantum());
