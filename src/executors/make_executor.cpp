@@ -1,7 +1,4 @@
 // Every executor by name.
-#include <algorithm>
-
-#include "core/allowance.h"
 #include "core/errors.h"
 #include "cuda/cuda_executor.h"
 #include "transport/serial_executor.h"
@@ -24,12 +21,10 @@ const std::vector<std::string>& executor_names() {
 }
 
 std::unique_ptr<Executor> make_executor(const ExecutorOptions& options) {
-  ExecutorOptions chosen = options;
-  if (chosen.threads <= 0) chosen.threads = allowed_threads();
-  if (options.name == "auto") return make_fastest(chosen);
+  if (options.name == "auto") return make_fastest(options);
   if (options.name == "serial") return std::make_unique<SerialExecutor>();
-  if (options.name == "cpu") return std::make_unique<ParallelExecutor>(chosen);
-  if (options.name == "cuda") return std::make_unique<CudaExecutor>(chosen, cuda_calls());
+  if (options.name == "cpu") return std::make_unique<ParallelExecutor>(options);
+  if (options.name == "cuda") return std::make_unique<CudaExecutor>(options, cuda_calls());
   throw InputError("executor", "unknown executor \"" + options.name + "\"", suggestion(options.name, executor_names()));
 }
 

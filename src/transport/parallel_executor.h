@@ -23,7 +23,7 @@ namespace erg {
 
 class ParallelExecutor : public Executor {
  public:
-  /// options.threads must be positive, options.sweeps a power of two from 2 to 64.
+  /// options.sweeps: a power of two from 2 to 64.
   explicit ParallelExecutor(const ExecutorOptions& options);
 
   std::string name() const override { return "cpu"; }
