@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "transport/fixed_point.h"
+#include "transport/shadow_reach.h"
 
 namespace erg {
 namespace {
@@ -270,7 +271,8 @@ void SerialExecutor::enter(Draws& draws, Place entry) {
   // Where in its hop the slab crosses the edge is random: it comes down up to one hop further on.
   const std::size_t cell = index(entry.u, entry.v);
   const double sideways = draws.unit();
-  const int rows = static_cast<int>(draws.unit() * hop_rows(surface_[cell], draws));
+  const double share = draws.unit();
+  const int rows = static_cast<int>(share * hop_rows(surface_[cell], draws));
   Place place = entry;
   for (int row = 1; row <= rows; ++row) {
     int u = entry.u + static_cast<int>(std::floor(row * frame_.tangent + sideways));
@@ -308,7 +310,9 @@ bool SerialExecutor::in_shadow(Place place, Draws& draws) const {
   int u = place.u;
   int v = place.v;
   std::int64_t line = here + adjacent_fall_;
-  for (int row = 1; line < top; ++row) {
+  // A straight line meets the same cells again behind one length.
+  const int rows_around = (frame_.tangent > 0 ? longest_shadow : 1) * frame_.length;
+  for (int row = 1; line < top && row <= rows_around; ++row) {
     --v;
     if (v < 0) {
       if (open_) return false;
