@@ -182,8 +182,7 @@ void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, 
   MetadataEntries entries = {{low_key, exact_text(terrain.metres(low))},
                              {high_key, exact_text(terrain.metres(high))},
                              {cell_key, exact_text(terrain.cell_size())}};
-  for (auto& entry : metadata(provenance)) entries.push_back(std::move(entry));
-  keep_config_beside(path, provenance);
+  for (auto& entry : metadata_of_file(path, provenance)) entries.push_back(std::move(entry));
   write_png(path, image, entries);
 }
 
