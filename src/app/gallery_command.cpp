@@ -56,7 +56,6 @@ bool draw_preset(const Preset& preset, const fs::path& file, Renderer& renderer,
   const RunView run(simulation);
   const PicturePlan plan = plan_picture(gallery_picture(), run.view());
   const Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
-  make_folder(file.parent_path());
   write_jpeg(file, picture.opaque());
   return true;
 }
@@ -67,6 +66,7 @@ ExitCode make_gallery(const GalleryRequest& request) {
   make_folder(folder / "gallery");
   for (const Preset& preset : wanted) {
     const fs::path file = preset_picture(folder, preset.name);
+    make_folder(file.parent_path());
     try_output(file.string(), file);
   }
   const std::unique_ptr<GlContext> context = make_offscreen_context();
