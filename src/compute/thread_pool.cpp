@@ -60,14 +60,24 @@ void Barrier::go_on_unless_given_up() const {
   if (given_up_.load(std::memory_order_acquire)) throw GivenUp{};
 }
 
-ThreadPool::ThreadPool(int size) : size_(size), spins_(spins_of(size)) {
+ThreadPool::ThreadPool(int size) : spins_(spins_of(size > 0 ? size : process::allowed_threads())) {
+  start(size > 0 ? size : process::allowed_threads());
+  const int started = this->size();
+  if (size <= started) return;
+  stop();
+  throw InputError(
+      "threads",
+      "the system gives this program " + std::to_string(started) + " of " + std::to_string(size) + " threads",
+      "ask for fewer, or for 0, as many as there are (--threads, run.threads)");
+}
+
+/// Starts threads until there are so many members, or the system gives no more (`ulimit -u`, a container's pids.max).
+void ThreadPool::start(int size) {
   try {
-    for (int member = 1; member < size_; ++member) threads_.emplace_back([this, member] { serve(member); });
+    threads_.reserve(static_cast<std::size_t>(size) - 1);
+    for (int member = 1; member < size; ++member) threads_.emplace_back([this, member] { serve(member); });
   } catch (const std::system_error&) {
-    const std::string started = std::to_string(threads_.size() + 1);
-    stop();
-    throw InputError("threads", "the system gives this program " + started + " threads and not " + std::to_string(size),
-                     "ask for fewer (--threads, run.threads)");
+    return;
   }
 }
 
@@ -82,7 +92,7 @@ void ThreadPool::stop() {
 void ThreadPool::run(int members, const std::function<void(int)>& job) {
   barrier_.expect(members);
   if (members == 1) return job(0);
-  const unsigned all_done = done_.now() + static_cast<unsigned>(size_ - 1);
+  const unsigned all_done = done_.now() + static_cast<unsigned>(threads_.size());
   job_ = &job;
   members_ = members;
   jobs_.add(1);

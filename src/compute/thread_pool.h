@@ -56,15 +56,16 @@ class Barrier {
 class ThreadPool {
  public:
   /// The calling thread is member 0; `size` - 1 threads are started. Throws InputError when the system gives fewer.
+  /// With `size` 0 it is as many as can run at once (allowed_threads), or as many of these as the system gives.
   explicit ThreadPool(int size);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  int size() const { return size_; }
+  int size() const { return static_cast<int>(threads_.size()) + 1; }
   /// Runs `job(member)` on every member and returns when all are done. Where a member throws, the others stop at their
   /// next barrier, and once all are done the caller gets what was thrown first; the pool is as good as new.
-  void run(const std::function<void(int)>& job) { run(size_, job); }
+  void run(const std::function<void(int)>& job) { run(size(), job); }
   /// The same on the first `members` only; 1 to size().
   void run(int members, const std::function<void(int)>& job);
   /// To be called by every member that has the job from within it. The job lets pass what this throws.
@@ -73,9 +74,9 @@ class ThreadPool {
  private:
   void serve(int member);
   void work_as(int member);
+  void start(int size);
   void stop();
 
-  const int size_;
   const int spins_;
   Barrier barrier_;
   const std::function<void(int)>* job_ = nullptr;  // null: the pool goes home

@@ -1,10 +1,7 @@
 #include "sim/make_executor.h"
 
-#include <algorithm>
-
 #include "core/errors.h"
 #include "cuda/cuda_backend.h"
-#include "process/allowance.h"
 #include "sim/cuda_entries.h"
 
 namespace erg::sim {
@@ -25,11 +22,9 @@ const std::vector<std::string>& executor_names() {
 }
 
 std::unique_ptr<Executor> make_executor(const ExecutorOptions& options) {
-  ExecutorOptions chosen = options;
-  if (chosen.threads <= 0) chosen.threads = process::allowed_threads();
-  if (options.name == "auto") return make_fastest(chosen);
-  if (options.name == "serial" || options.name == "cpu") return std::make_unique<Executor>(chosen);
-  if (options.name == "cuda") return make_cuda_executor(chosen, cuda_api(), cuda_entry);
+  if (options.name == "auto") return make_fastest(options);
+  if (options.name == "serial" || options.name == "cpu") return std::make_unique<Executor>(options);
+  if (options.name == "cuda") return make_cuda_executor(options, cuda_api(), cuda_entry);
   throw InputError("executor", "unknown executor \"" + options.name + "\"", suggestion(options.name, executor_names()));
 }
 

@@ -180,5 +180,39 @@ TEST(GivenFiles, WantOfMemoryIsNotToldAsADamagedPicture) {
 
 #endif
 
+/// What no executor counts: more than 40000 slabs.
+TEST(GivenFiles, LandThatIsTooHighForAModelIsRefusedBeforeItIsRun) {
+  const ScratchFolder folder;
+  folder.write("p.png", PngBytes{.width = 2, .samples = {0, 65535}}.made());
+  const std::string picture = R"("kind": "image", "image": "p.png", "image_high": )";
+  const std::vector<std::pair<std::string, std::string>> all{
+      {"werner", picture + "4010"},
+      {"momiji", R"("kind": "rocks", "height": 4010)"},
+      {"bishop", R"("kind": "cone", "height": 6000, "radius": 4)"},
+      {"nield_baas", picture + R"(4010, "image_role": "sand")"},
+      {"snow_packing", R"("kind": "valley", "height": 4600)"},
+      {"snow_sintering", picture + "4010"},
+      {"snow_sintering", picture + R"(4010, "image_role": "sand")"}};
+  const std::string thin = R"("parameters": {"slab_height": 0.1}, )";
+  for (const auto& [model, scene] : all) {
+    SCOPED_TRACE(model + ": " + scene);
+    folder.write("high.json", R"({"erg": 1, "model": ")" + model + R"(", "grid": {"nx": 16, "ny": 12}, )" + thin +
+                                  R"("scene": {)" + scene + R"(}, "run": {"steps": 1}})");
+    const Ended checked = run_erg(folder, {"check", "high.json"});
+    EXPECT_EQ(checked.exit_code, 2);
+    EXPECT_TRUE(checked.errors.starts_with("terrain: it ")) << checked.errors;
+    expect_contains(checked.errors, "more than 40000");
+    const Ended run = run_erg(folder, {"run", "high.json", "--quiet", "--out", "o", "--format", "csv"});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.errors, checked.errors);
+    EXPECT_FALSE(fs::exists(folder.file("o"))) << "nothing is begun";
+  }
+  // A little lower.
+  folder.write("low.json", R"({"erg": 1, "model": "werner", "grid": {"nx": 16, "ny": 12}, )" + thin + R"("scene": {)" +
+                               picture + R"(3990}, "run": {"steps": 1}})");
+  EXPECT_EQ(run_erg(folder, {"check", "low.json"}).exit_code, 0);
+  EXPECT_EQ(run_erg(folder, {"run", "low.json", "--quiet"}).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace erg::test

@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "../unit/limits.h"
+#include "../unit/png_bytes.h"
 #include "program.h"
 
 namespace erg::test {
@@ -137,6 +138,32 @@ TEST(Processors, OnlyThoseThatAreAllowedAreUsed) {
   EXPECT_EQ(read_json(folder.file("s.json")).at("threads"), 1);
 }
 
+TEST(Processors, WhereTheSystemGivesFewerThreadsTheseWillDo) {
+  const ScratchFolder folder;
+  folder.write("a.json", small_config(1));
+  fs::permissions(folder.file("."), fs::perms::all);
+  const auto one_thread = [] {
+    constexpr uid_t somebody = 61234;  // root has no limit
+    if (::getuid() == 0 && ::setuid(somebody) != 0) _exit(125);
+    const rlimit limit{1, 1};
+    ::setrlimit(RLIMIT_NPROC, &limit);
+  };
+  const Words run{"run", "a.json", "--stats", "s.json", "--quiet", "--executor", "cpu", "--threads"};
+  const auto with = [&](const std::string& threads) {
+    Words words = run;
+    words.push_back(threads);
+    return run_erg(folder, words, one_thread);
+  };
+  const Ended any = with("0");
+  EXPECT_EQ(any.exit_code, 0) << any.errors;
+  EXPECT_EQ(read_json(folder.file("s.json")).at("threads"), 1);
+  const Ended eight = with("8");
+  EXPECT_EQ(eight.exit_code, 2);
+  EXPECT_EQ(eight.errors,
+            "threads: the system gives this program 1 of 8 threads; "
+            "ask for fewer, or for 0, as many as there are (--threads, run.threads)\n");
+}
+
 TEST(Memory, OfABatchJobCounts) {
   const ScratchFolder folder;
   folder.write("a.json", small_config(1));
@@ -172,20 +199,30 @@ TEST(Instructions, CanBeForcedAndGiveTheSameBits) {
   EXPECT_NE(nearly.errors.find("--instructions: unknown instructions \"AVX2\""), std::string::npos) << nearly.errors;
 }
 
-TEST(Processors, TallRocksOnAFewCellsAreNoEndlessWork) {
+// A shadow of such heights would go around these grids hundreds of times.
+TEST(Processors, TallRocksAreNoEndlessWork) {
   const ScratchFolder folder;
   folder.write("a.json", small_config(2));
-  const Words rocks{"run",   "a.json", "--executor", "cpu",   "--quiet",          "--hash", "--set",
-                    "nx=20", "--set",  "ny=20",      "--set", "scene.kind=rocks", "--set",  "height=10000"};
-  for (const char* bearing : {"W", "285", "N"}) {
-    Words words = rocks;
-    words.insert(words.end(), {"--set", std::string("wind.bearing=") + bearing});
-    // A safeguard and no measurement: it takes a hundredth of that.
-    const Ended ended = run_erg(folder, words, [] {
-      const rlimit limit{20, 20};
-      setrlimit(RLIMIT_CPU, &limit);
-    });
-    EXPECT_EQ(ended.exit_code, 0) << bearing << ": " << ended.errors;
+  std::vector<int> spire(128 * 128);
+  spire[64 * 128 + 64] = 65535;
+  folder.write("spire.png", PngBytes{.width = 128, .height = 128, .samples = spire}.made());
+  const Words rocks{"--set", "nx=20", "--set", "ny=20", "--set", "scene.kind=rocks", "--set", "height=10000"};
+  const Words one_column{"--set", "nx=128", "--set", "ny=128", "--set", "scene.kind=image",
+                         "--set", "scene.image=spire.png", "--set", "image_high=13000"};
+  for (const Words& ground : {rocks, one_column}) {
+    for (const char* executor : {"serial", "cpu"}) {
+      for (const char* bearing : {"W", "285", "N"}) {
+        Words words{"run", "a.json", "--executor", executor, "--quiet", "--hash",
+                    "--set", std::string("wind.bearing=") + bearing};
+        words.insert(words.end(), ground.begin(), ground.end());
+        // A safeguard and no measurement: it takes a hundredth of that.
+        const Ended ended = run_erg(folder, words, [] {
+          const rlimit limit{20, 20};
+          setrlimit(RLIMIT_CPU, &limit);
+        });
+        EXPECT_EQ(ended.exit_code, 0) << executor << ", " << bearing << ": " << ended.errors;
+      }
+    }
   }
 }
 

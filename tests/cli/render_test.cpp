@@ -239,5 +239,18 @@ TEST(Film, WithoutFfmpegTheFramesStayAndSayWhatIsMissing) {
   EXPECT_FALSE(std::filesystem::exists(folder.file("out/small.mp4")));
 }
 
+TEST(Gallery, MakesTheFoldersOfItsPictures) {
+  const ScratchFolder folder;
+  const std::string name = "thesis/snow_ripples";
+  const Ended ended = run_erg(folder, {"gallery", name, "--out", "cards", "--quiet"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.errors;
+  const std::string picture = folder.file("cards/gallery/" + name + ".jpg");
+  EXPECT_TRUE(read_bytes(picture).starts_with("\xff\xd8\xff")) << "a JPEG";
+  // One that is there is left alone where only the missing are wanted.
+  write_bytes(picture, "mine");
+  EXPECT_EQ(run_erg(folder, {"gallery", name, "--out", "cards", "--quiet", "--missing"}).exit_code, 0);
+  EXPECT_EQ(read_bytes(picture), "mine");
+}
+
 }  // namespace
 }  // namespace erg::test

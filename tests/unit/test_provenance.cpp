@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <sstream>
 
 #include "io/config/config_file.h"
 #include "io/formats/heightmap.h"
@@ -33,26 +34,44 @@ Config of_seasons(int count) {
   return config;
 }
 
-std::map<std::string, std::string> entries_of(const Config& config) {
-  const io::MetadataEntries entries = io::metadata(provenance_of(config, 0, "cpu", 2));
+std::map<std::string, std::string> entries_of(const Config& config, const fs::path& path) {
+  const io::MetadataEntries entries = io::metadata_of_file(path, provenance_of(config, 0, "cpu", 2));
   return {entries.begin(), entries.end()};
 }
 
 TEST(Provenance, HoldsAShortConfigAndItsHash) {
+  const TemporaryFolder folder;
   const Config config;
-  const auto entries = entries_of(config);
+  const auto entries = entries_of(config, folder / "a.csv");
   EXPECT_EQ(entries.at("erg:config"), io::config_text(config));
   EXPECT_EQ(entries.at("erg:config-hash").size(), 16u);
   EXPECT_EQ(entries.count("erg:config-file"), 0u);
   Config other = config;
   other.scene.set("sand", 7.0);
-  EXPECT_NE(entries_of(other).at("erg:config-hash"), entries.at("erg:config-hash"));
+  EXPECT_NE(entries_of(other, folder / "a.csv").at("erg:config-hash"), entries.at("erg:config-hash"));
 }
 
 TEST(Provenance, NamesTheFileOfALongOne) {
-  const auto entries = entries_of(of_seasons(5000));
+  const TemporaryFolder folder;
+  const auto entries = entries_of(of_seasons(5000), folder / "a.csv");
   EXPECT_EQ(entries.count("erg:config"), 0u);
   EXPECT_EQ(entries.at("erg:config-file"), "config-" + entries.at("erg:config-hash") + ".json");
+  EXPECT_EQ(read_config(folder / entries.at("erg:config-file")), of_seasons(5000));
+}
+
+TEST(Provenance, StandsWholeWhereNoFileCanLieBeside) {
+  const Config config = of_seasons(5000);
+  const auto piped = entries_of(config, "/dev/null");
+  EXPECT_EQ(piped.at("erg:config"), io::config_text(config));
+  EXPECT_EQ(piped.count("erg:config-file"), 0u);
+  const std::string printed = io::table_text({"step"}, {{1}}, provenance_of(config, 0, "cpu", 2));
+  EXPECT_EQ(printed.find("erg:config-file"), std::string::npos);
+  std::istringstream lines(printed);
+  std::string given;  // back out of its comment
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("# ") && !line.starts_with("# erg:")) given += line.substr(2) + "\n";
+  }
+  EXPECT_EQ(io::parse_config(given, ""), config) << "it can be run again";
 }
 
 TEST(Provenance, ThousandsOfSeasonsStandOnceBesideAllFiles) {

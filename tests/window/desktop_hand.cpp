@@ -214,6 +214,18 @@ void DesktopHand::enter(const std::string& name, const std::string& text) const 
   key("Return");
 }
 
+void DesktopHand::move_window(const std::string& place) const {
+  command("xdotool search --onlyvisible --pid " + std::to_string(process_) + " windowmove " + place);
+}
+
+int DesktopHand::height(const std::string& name) const {
+  wait_for(name);
+  const Place at = places().at(name);
+  return at.bottom - at.top;
+}
+
+bool DesktopHand::comes_true(const std::function<bool()>& holds) const { return soon(holds); }
+
 void DesktopHand::picture(const std::filesystem::path& path) const {
   command("import -window root '" + path.string() + "'");
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -59,6 +60,12 @@ class DesktopHand {
   void edit(const std::string& name) const;
   /// Replaces what an entry or a slider holds.
   void enter(const std::string& name, const std::string& text) const;
+  /// Moves the window to a place of the screen, "x y".
+  void move_window(const std::string& place) const;
+  /// Pixels from top to bottom of a widget.
+  int height(const std::string& name) const;
+  /// Waits until that holds; false where it does not come about.
+  bool comes_true(const std::function<bool()>& holds) const;
   /// What the screen shows, as a picture.
   void picture(const std::filesystem::path& path) const;
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "../render/scene.h"
@@ -13,6 +14,7 @@
 
 // Last: its macros are plain words.
 #include <X11/Xlib.h>
+#include <X11/extensions/Xrandr.h>
 
 namespace erg::test {
 
@@ -224,6 +226,41 @@ TEST_F(SmallTerrain, ADecimalCommaIsADecimalPoint) {
   hand.key("ctrl+q");
   EXPECT_EQ(hand.wait(), 0) << hand.errors();
   EXPECT_EQ(read_config(folder / "small.json").wind.seasons.front().first, 2.5);
+}
+
+/// Makes two monitors of a screen, side by side: a usual one and one with twice as many pixels an inch.
+void split_screen(const std::string& display_name) {
+  ::Display* const display = XOpenDisplay(display_name.c_str());
+  ASSERT_NE(display, nullptr);
+  const auto add = [&](const char* name, int left, int height, bool primary) {
+    XRRMonitorInfo* const monitor = XRRAllocateMonitor(display, 0);
+    monitor->name = XInternAtom(display, name, False);
+    monitor->primary = primary ? True : False;
+    monitor->x = left;
+    monitor->width = 1200;
+    monitor->height = height;
+    monitor->mheight = 286;
+    XRRSetMonitor(display, DefaultRootWindow(display), monitor);
+    XRRFreeMonitors(monitor);
+  };
+  add("usual", 0, 1080, true);
+  add("dense", 1200, 2160, false);
+  XCloseDisplay(display);
+}
+
+TEST(Window, IsAsLargeAsSuitsTheMonitorThatItIsMovedTo) {
+  const TemporaryFolder folder;
+  const Display display("2400x2160x24");
+  split_screen(display.name());
+  DesktopHand hand(display, folder.path(), {write_small_land(folder.path()), "--width", "1000", "--height", "760"});
+  hand.wait_for("RUN/step");
+  const auto letters_are = [&](const std::string& place, double times, double usual) {
+    hand.move_window(place);
+    return hand.comes_true([&] { return std::abs(hand.height("menu File") / usual - times) < 0.1; });
+  };
+  const double usual = hand.height("menu File");
+  EXPECT_TRUE(letters_are("1300 0", 2, usual)) << hand.height("menu File") << " pixels, and before " << usual;
+  EXPECT_TRUE(letters_are("650 20", 1, usual)) << "its middle is on the usual one again";
 }
 
 TEST(Window, WithoutAFolderForSessionsThatIsSaidAtOnce) {

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/cli/command.h"
@@ -12,6 +13,7 @@
 #include "io/checkpoint/start_simulation.h"
 #include "io/config/config_file.h"
 #include "models/model.h"
+#include "sim/memory.h"
 #include "sim/step_time.h"
 
 namespace erg::app {
@@ -21,12 +23,25 @@ using sim::Config;
 
 namespace {
 
+/// Finds what a run refuses at its start, where there is memory for that; else the note says what there is not.
+void try_start(Config config, const io::ConfigPictures& pictures, std::vector<std::string>& notes) {
+  config.run.set("executor", std::string("serial"));  // no threads and no device for a run of no steps
+  try {
+    sim::check_memory({&config, 1}, 0, sim::free_memory());
+  } catch (const InputError& short_of_memory) {
+    notes.emplace_back(short_of_memory.what());
+    return;
+  }
+  sim::Simulation(std::move(config), pictures.scene ? &*pictures.scene : nullptr,
+                  pictures.model ? &*pictures.model : nullptr);
+}
+
 ExitCode check_config(const std::string& name) {
   const std::string path = config_path(name);
   std::vector<std::string> notes;
   Config config = read_config(path, &notes);
   io::take_grid_from_picture(config);
-  io::read_pictures(config, &notes);
+  try_start(config, io::read_pictures(config, &notes), notes);
   const ModelType& type = find_model(config.model);
   std::cout << path << ": good; " << type.info.title << ", " << config.grid.integer("nx") << " x "
             << config.grid.integer("ny") << " cells, " << config.run.integer("steps") << " steps\n";

@@ -61,7 +61,6 @@ bool draw_preset(const Preset& preset, const fs::path& file, Renderer& renderer,
   const RunView run(simulation);
   const PicturePlan plan = plan_picture(gallery_picture(), run.view());
   const render::Picture picture = renderer.draw(run.view(), plan.look, plan.camera, plan.size);
-  make_folder(file.parent_path());
   io::write_jpeg(file, picture.opaque());
   return true;
 }
@@ -72,6 +71,7 @@ ExitCode make_gallery(const GalleryRequest& request) {
   make_folder(folder / "gallery");
   for (const Preset& preset : wanted) {
     const fs::path file = preset_picture(folder, preset.name);
+    make_folder(file.parent_path());
     try_output(file.string(), file);
   }
   const std::unique_ptr<render::GlContext> context = render::make_offscreen_context();

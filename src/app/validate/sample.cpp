@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "app/cli/presets.h"
@@ -57,7 +58,12 @@ void share_jobs(int jobs, const std::function<void(int)>& job) {
   };
   {
     std::vector<std::jthread> threads;
-    for (int worker = 0; worker < workers; ++worker) threads.emplace_back(work);
+    try {
+      for (int worker = 1; worker < workers; ++worker) threads.emplace_back(work);
+    } catch (const std::system_error&) {
+      // The system gives no more threads than these.
+    }
+    work();
   }
   if (failure) std::rethrow_exception(failure);
 }

@@ -1,5 +1,6 @@
 #include "io/config/provenance.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/number_text.h"
@@ -13,7 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool stands_within(const Provenance& provenance) { return provenance.config.size() <= longest_config_within; }
+/// Whether the config goes into a file beside `path`.
+bool stands_beside(const fs::path& path, const Provenance& provenance) {
+  std::error_code none;
+  if (provenance.config.size() <= longest_config_within) return false;
+  return !fs::exists(path, none) || fs::is_regular_file(path, none);
+}
 
 std::string config_file_name(const Provenance& provenance) { return "config-" + config_hash(provenance) + ".json"; }
 
@@ -42,23 +48,26 @@ std::string config_hash(const Provenance& provenance) {
 }
 
 MetadataEntries metadata(const Provenance& provenance) {
-  MetadataEntries entries{{"erg:version", provenance.version},           {"erg:model", provenance.model},
-                          {"erg:seed", std::to_string(provenance.seed)}, {"erg:step", std::to_string(provenance.step)},
-                          {"erg:executor", provenance.executor},         {"erg:config-hash", config_hash(provenance)}};
-  if (stands_within(provenance)) {
-    entries.emplace_back("erg:config", provenance.config);
-  } else {
-    entries.emplace_back("erg:config-file", config_file_name(provenance));
-  }
+  MetadataEntries entries{{"erg:version", provenance.version},
+                          {"erg:model", provenance.model},
+                          {"erg:seed", std::to_string(provenance.seed)},
+                          {"erg:step", std::to_string(provenance.step)},
+                          {"erg:executor", provenance.executor},
+                          {"erg:config-hash", config_hash(provenance)},
+                          {"erg:config", provenance.config}};
   if (std::isfinite(provenance.days)) entries.emplace_back("erg:days", format_shortest(provenance.days));
   return entries;
 }
 
-void keep_config_beside(const fs::path& path, const Provenance& provenance) {
+MetadataEntries metadata_of_file(const fs::path& path, const Provenance& provenance) {
+  MetadataEntries entries = metadata(provenance);
+  if (!stands_beside(path, provenance)) return entries;
+  const std::string name = config_file_name(provenance);
+  const fs::path beside = path.parent_path() / name;
   std::error_code none;
-  if (stands_within(provenance) || (fs::exists(path, none) && !fs::is_regular_file(path, none))) return;
-  const fs::path beside = path.parent_path() / config_file_name(provenance);
   if (fs::file_size(beside, none) != provenance.config.size()) write_file_atomically(beside, provenance.config);
+  *std::ranges::find(entries, "erg:config", &MetadataEntries::value_type::first) = {"erg:config-file", name};
+  return entries;
 }
 
 }  // namespace erg::io

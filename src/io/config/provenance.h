@@ -43,14 +43,14 @@ inline constexpr std::size_t longest_config_within = 4096;
 /// 16 hexadecimal digits that tell one config from another.
 std::string config_hash(const Provenance& provenance);
 
-/// The provenance as entries: "erg:version", "erg:model", "erg:seed", "erg:step", "erg:executor", "erg:config-hash",
-/// and "erg:config", or "erg:config-file" where that is too long: the name of the file beside; and
-/// "erg:days" where it is known. A PNG carries them as
-/// text chunks, a VTI as field data of strings, a CSV as comment lines before its header.
+/// The provenance as entries, for what is printed: "erg:version", "erg:model", "erg:seed", "erg:step", "erg:executor",
+/// "erg:config-hash", "erg:config", and "erg:days" where it is known.
 MetadataEntries metadata(const Provenance& provenance);
 
-/// Writes a config that is too long to stand in the file `path` beside it, unless it lies there already. Throws
-/// WriteError.
-void keep_config_beside(const std::filesystem::path& path, const Provenance& provenance);
+/// The same for the file `path`. A config that is too long to stand in it is written beside it, unless it lies there
+/// already, and "erg:config-file" with that file's name stands for "erg:config"; but nothing lies beside a pipe or a
+/// device, which gets it whole. A PNG carries the entries as text chunks, a VTI as field data of strings, a CSV as
+/// comment lines before its header. Throws WriteError.
+MetadataEntries metadata_of_file(const std::filesystem::path& path, const Provenance& provenance);
 
 }  // namespace erg::io

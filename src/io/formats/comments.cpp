@@ -4,9 +4,9 @@
 
 namespace erg::io {
 
-std::string comments(const std::string& mark, const Provenance& provenance) {
+std::string comments(const std::string& mark, const MetadataEntries& entries) {
   std::string all;
-  for (const auto& [name, text] : metadata(provenance)) {
+  for (const auto& [name, text] : entries) {
     all.append(mark).append(name).append(":");
     const bool single = text.find('\n') == std::string::npos;
     std::istringstream lines(text);

@@ -7,8 +7,8 @@
 
 namespace erg::io {
 
-/// The provenance as lines that begin with `mark` ("# "): one for a short text, for one of several lines its name and
-/// then the lines.
-std::string comments(const std::string& mark, const Provenance& provenance);
+/// The entries of a provenance as lines that begin with `mark` ("# "): one for a short text, for one of several lines
+/// its name and then the lines.
+std::string comments(const std::string& mark, const MetadataEntries& entries);
 
 }  // namespace erg::io

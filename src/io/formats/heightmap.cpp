@@ -190,8 +190,7 @@ void write_heightmap(const std::filesystem::path& path, const Terrain& terrain, 
   MetadataEntries entries = {{low_key, format_shortest(terrain.metres(low))},
                              {high_key, format_shortest(terrain.metres(high))},
                              {cell_key, format_shortest(terrain.cell_size())}};
-  for (auto& entry : metadata(provenance)) entries.push_back(std::move(entry));
-  keep_config_beside(path, provenance);
+  for (auto& entry : metadata_of_file(path, provenance)) entries.push_back(std::move(entry));
   write_png(path, image, entries);
 }
 

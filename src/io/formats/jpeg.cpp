@@ -35,10 +35,17 @@ std::string encode_jpeg(const std::filesystem::path& path, const RgbImage& image
   return bytes;
 }
 
-/// A comment of a JPEG: its marker, its length (two bytes, high one first, that count themselves), its text.
+/// A text as comments of a JPEG, as many as it takes: the marker, the length (two bytes, high one first, that count
+/// themselves), and some of the text.
 std::string comment(const std::string& text) {
-  const std::size_t length = text.size() + 2;
-  return std::string("\xff\xfe") + static_cast<char>(length >> 8) + static_cast<char>(length & 0xff) + text;
+  constexpr std::size_t longest = 0xffff - 2;
+  std::string all;
+  for (std::size_t at = 0; at < text.size(); at += longest) {
+    const std::string part = text.substr(at, longest);
+    const std::size_t length = part.size() + 2;
+    all += std::string("\xff\xfe") + static_cast<char>(length >> 8) + static_cast<char>(length & 0xff) + part;
+  }
+  return all;
 }
 
 }  // namespace
@@ -51,8 +58,7 @@ void write_run_jpeg(const std::filesystem::path& path, const RgbImage& image, co
   constexpr int fine = 92;
   constexpr std::size_t start_bytes = 2;  // of the marker that every JPEG begins with
   std::string bytes = encode_jpeg(path, image, fine);
-  bytes.insert(start_bytes, comment(comments("", provenance)));
-  keep_config_beside(path, provenance);
+  bytes.insert(start_bytes, comment(comments("", metadata_of_file(path, provenance))));
   write_file_atomically(path, bytes);
 }
 

@@ -134,9 +134,9 @@ class Solid {
 void write_obj(const std::filesystem::path& path, const Terrain& terrain, const Provenance& provenance,
                const WriteProgress& progress) {
   check_extent(path, terrain);
-  keep_config_beside(path, provenance);
+  const MetadataEntries source = metadata_of_file(path, provenance);
   write_file_atomically(path, [&](const ByteSink& sink) {
-    sink(comments("# ", provenance));
+    sink(comments("# ", source));
     RowWriter rows(sink, progress, 2 * terrain.ny() - 1);
     for (int y = 0; y < terrain.ny(); ++y, rows.end_row()) {
       for (int x = 0; x < terrain.nx(); ++x) {
@@ -162,9 +162,9 @@ void write_ply(const std::filesystem::path& path, const Terrain& terrain, const 
   check_extent(path, terrain);
   const std::size_t triangles =
       2 * static_cast<std::size_t>(terrain.nx() - 1) * static_cast<std::size_t>(terrain.ny() - 1);
-  keep_config_beside(path, provenance);
+  const MetadataEntries source = metadata_of_file(path, provenance);
   write_file_atomically(path, [&](const ByteSink& sink) {
-    sink("ply\nformat binary_little_endian 1.0\n" + comments("comment ", provenance) + "element vertex " +
+    sink("ply\nformat binary_little_endian 1.0\n" + comments("comment ", source) + "element vertex " +
          std::to_string(terrain.extent().cells()) +
          "\nproperty float x\nproperty float y\nproperty float z\nproperty float thickness\nelement face " +
          std::to_string(triangles) + "\nproperty list uchar int vertex_indices\nend_header\n");

@@ -109,13 +109,11 @@ void write_png(const std::filesystem::path& path, const GreyImage& image, const 
 }
 
 void write_run_png(const std::filesystem::path& path, const RgbImage& image, const Provenance& provenance) {
-  keep_config_beside(path, provenance);
-  write_png(path, image, metadata(provenance));
+  write_png(path, image, metadata_of_file(path, provenance));
 }
 
 void write_run_png(const std::filesystem::path& path, const RgbaImage& image, const Provenance& provenance) {
-  keep_config_beside(path, provenance);
-  write_png(path, image, metadata(provenance));
+  write_png(path, image, metadata_of_file(path, provenance));
 }
 
 }  // namespace erg::io

@@ -40,8 +40,8 @@ double first_value(const std::string& row, std::size_t columns) {
 }
 
 /// A table without rows.
-std::string head_text(const std::vector<std::string>& columns, const Provenance& provenance) {
-  return comments("# ", provenance) + join(columns, ",") + "\n";
+std::string head_text(const std::vector<std::string>& columns, const MetadataEntries& source) {
+  return comments("# ", source) + join(columns, ",") + "\n";
 }
 
 /// What lies in a table so far.
@@ -66,19 +66,23 @@ TableText read_table(const std::filesystem::path& path) {
   return table;
 }
 
-}  // namespace
-
-std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
-                       const Provenance& provenance) {
-  std::string text = head_text(columns, provenance);
+std::string whole_table(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
+                        const MetadataEntries& source) {
+  std::string text = head_text(columns, source);
   for (const std::vector<double>& row : rows) text += row_text(row, columns.size());
   return text;
 }
 
+}  // namespace
+
+std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
+                       const Provenance& provenance) {
+  return whole_table(columns, rows, metadata(provenance));
+}
+
 void write_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
                  const std::vector<std::vector<double>>& rows, const Provenance& provenance) {
-  keep_config_beside(path, provenance);
-  write_file_atomically(path, table_text(columns, rows, provenance));
+  write_file_atomically(path, whole_table(columns, rows, metadata_of_file(path, provenance)));
 }
 
 TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : file_(path), columns_(columns) {}
@@ -86,16 +90,17 @@ TableFile::TableFile(const std::filesystem::path& path, std::size_t columns) : f
 TableFile::TableFile(const std::filesystem::path& path, const std::vector<std::string>& columns,
                      const Provenance& provenance)
     : TableFile(path, columns.size()) {
-  file_.replace(head_text(columns, provenance));
-  keep_config_beside(path, provenance);
+  file_.replace(head_text(columns, metadata_of_file(path, provenance)));
 }
 
 TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::string> columns,
                             const Provenance& provenance, double first_step) {
   TableFile table(path, columns.size());
   const TableText old = read_table(path);
-  std::string kept = head_text(columns, provenance);
-  if (!old.header.empty()) {
+  std::string kept;
+  if (old.header.empty()) {
+    kept = head_text(columns, metadata_of_file(path, provenance));
+  } else {
     if (old.header != join(columns, ",")) {
       throw InputError(path.string(), "holds other columns than this run writes", "name another folder or remove it");
     }
@@ -112,7 +117,6 @@ TableFile TableFile::resume(const std::filesystem::path& path, std::vector<std::
     }
   }
   table.file_.replace(kept);
-  keep_config_beside(path, provenance);
   return table;
 }
 

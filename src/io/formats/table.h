@@ -12,7 +12,7 @@
 
 namespace erg::io {
 
-/// A whole table as text: what write_table writes.
+/// A whole table as text, for printing: what write_table writes, with the whole config in its head, however long.
 std::string table_text(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows,
                        const Provenance& provenance);
 

@@ -60,7 +60,8 @@ std::string string_array(const std::string& name, const std::string& text) {
   return out.str();
 }
 
-std::string header(const Terrain& terrain, const std::vector<PointArray>& arrays, const Provenance& provenance) {
+std::string header(const Terrain& terrain, const std::vector<PointArray>& arrays, const Provenance& provenance,
+                   const MetadataEntries& source) {
   std::ostringstream out;
   out.precision(17);
   std::ostringstream extent;
@@ -70,7 +71,7 @@ std::string header(const Terrain& terrain, const std::vector<PointArray>& arrays
       << "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
       << "  <ImageData WholeExtent=\"" << extent.str() << "\" Origin=\"" << cell / 2 << ' ' << cell / 2
       << " 0\" Spacing=\"" << cell << ' ' << cell << ' ' << cell << "\">\n    <FieldData>\n";
-  for (const auto& [name, text] : metadata(provenance)) out << string_array(name, text);
+  for (const auto& [name, text] : source) out << string_array(name, text);
   out << "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">"
       << format_shortest(std::isfinite(provenance.days) ? provenance.days : static_cast<double>(provenance.step))
       << "</DataArray>\n";
@@ -92,9 +93,9 @@ void write_vti(const std::filesystem::path& path, const Terrain& terrain, const 
                const Provenance& provenance, std::span<const Field> more) {
   check_whole(terrain);
   const std::vector<PointArray> arrays = arrays_of(terrain, shadow, more);
-  keep_config_beside(path, provenance);
+  const MetadataEntries source = metadata_of_file(path, provenance);
   write_file_atomically(path, [&](const ByteSink& sink) {
-    sink(header(terrain, arrays, provenance));
+    sink(header(terrain, arrays, provenance, source));
     std::string row;
     for (const PointArray& array : arrays) {
       row.clear();

@@ -68,6 +68,7 @@ class NieldBaas : public SlabModel {
   void prepare(const Beginning& beginning) override { beginning_ = beginning; }
 
   void begin(Terrain& terrain) override {
+    SlabModel::begin(terrain);
     plants_ = std::make_unique<Plants>(values_, beginning_.seed);
     plants_->begin(terrain, std::exchange(beginning_.picture, nullptr));
   }

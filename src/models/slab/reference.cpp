@@ -7,6 +7,7 @@
 
 #include "forcing/shadow.h"
 #include "kernels/fixed_point.h"
+#include "models/slab/shadow_reach.h"
 #include "models/slab/terrain_heights.h"
 
 namespace erg {
@@ -256,7 +257,8 @@ void SlabReference::enter(Draws& draws, Place entry) {
   // Where in its hop the slab crosses the edge is random: it comes down up to one hop further on.
   const std::size_t cell = index(entry.u, entry.v);
   const double sideways = draws.unit();
-  const int rows = static_cast<int>(draws.unit() * hop_rows(surface_[cell], draws));
+  const double share = draws.unit();
+  const int rows = static_cast<int>(share * hop_rows(surface_[cell], draws));
   Place place = entry;
   for (int row = 1; row <= rows; ++row) {
     int u = entry.u + static_cast<int>(std::floor(row * frame_.tangent + sideways));
@@ -294,7 +296,9 @@ bool SlabReference::in_shadow(Place place, Draws& draws) const {
   const auto columns = [&](int row) { return static_cast<int>(std::floor(row * frame_.tangent + sideways)); };
   int u = place.u;
   int v = place.v;
-  for (int row = 1;; ++row) {
+  // A straight line meets the same cells again behind one length.
+  const int rows_around = (frame_.tangent > 0 ? longest_shadow : 1) * frame_.length;
+  for (int row = 1; row <= rows_around; ++row) {
     const std::int64_t line = here + (row == 1 ? next_fall_ : row == 2 ? second_fall_ : row_fall_ * row);
     if (row > 1 && line >= top) return false;
     --v;
@@ -309,6 +313,7 @@ bool SlabReference::in_shadow(Place place, Draws& draws) const {
     }
     if ((static_cast<std::int64_t>(surface_[index(u, v)]) << fixed_point_bits) > line) return true;
   }
+  return false;
 }
 
 /// Folds a place over the torus; false where it lies beyond an open edge.

@@ -6,6 +6,7 @@
 
 #include "core/units.h"
 #include "forcing/shadow.h"
+#include "models/slab/terrain_heights.h"
 
 namespace erg {
 namespace {
@@ -155,7 +156,7 @@ SlabModel::SlabModel(const SlabFamily& family, const SlabValues& values) : famil
 
 double SlabModel::quantum() const { return values_.slab_height; }
 
-void SlabModel::begin(Terrain&) {}
+void SlabModel::begin(Terrain& terrain) { check_height(terrain); }
 
 double SlabModel::shadow_fall(double cell_size) const {
   return erg::shadow_fall(values_.shadow_angle, cell_size, quantum());

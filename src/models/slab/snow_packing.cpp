@@ -117,6 +117,7 @@ class SnowPacking : public SlabModel {
   void prepare(const Beginning& beginning) override { first_temperature_ = beginning.weather.temperature; }
 
   void begin(Terrain& terrain) override {
+    SlabModel::begin(terrain);
     if (!terrain.fields().empty()) return;
     std::vector<Field>& fields = terrain.edit_fields();
     for (FieldInfo& info : snow_packing_fields()) fields.push_back({std::move(info), Grid<float>(terrain.extent())});

@@ -40,7 +40,7 @@ struct SubSweep {
   std::int64_t drift = 0;  ///< columns that a line moves over the length of the grid
   std::int64_t phase = 0;  ///< in [0, length)
   /// Rows after which a line of a torus meets the same cells again: over the length of the grid it moves by whole
-  /// columns, so that after some turns it is back where it was. No shadow comes from further away.
+  /// columns, so that after some turns it is back; or `longest_shadow` lengths. No shadow comes from further away.
   std::int64_t rows_around = 0;
 
   std::uint32_t p_sand_16 = 0;  ///< chance * 65536

@@ -65,7 +65,7 @@ void check_snow_height(std::int32_t most_snow, std::int32_t relief) {
   const std::int32_t grown = std::max(most_snow, relief);
   if (grown <= highest_terrain) return;
   throw InputError("terrain",
-                   "it has grown to " + std::to_string(grown) + " slabs, more than " + std::to_string(highest_terrain),
+                   "it is " + std::to_string(grown) + " slabs high, more than " + std::to_string(highest_terrain),
                    "use a larger slab height or less snow");
 }
 

@@ -11,6 +11,7 @@
 #include "forcing/shadow.h"
 #include "models/model.h"
 #include "models/snow/sintering_values.h"
+#include "models/snow/snow_draws.h"
 #include "models/snow/snow_solver.h"
 #include "models/snow/snow_step.h"
 
@@ -93,7 +94,9 @@ class SnowSintering : public Model {
 
 void SnowSintering::begin(Terrain& terrain) {
   prepare_law(terrain);
-  if (!terrain.fields().empty()) return;
+  if (!terrain.fields().empty()) return;  // snow that grew too high on the way stays what it is
+  const auto bedrock = std::ranges::minmax(terrain.bedrock().cells());
+  check_snow_height(std::ranges::max(terrain.mobile().cells()), bedrock.max - bedrock.min);
   std::vector<Field>& fields = terrain.edit_fields();
   for (FieldInfo& info : snow_sintering_fields()) fields.push_back({std::move(info), Grid<float>(terrain.extent())});
   const double hours = values_.start_age;

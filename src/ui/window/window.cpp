@@ -121,6 +121,7 @@ struct Window::Hidden {
   int width = 1;
   int height = 1;
   double scale = 1;
+  bool has_moved = false;  // since its monitor was looked for
   int redraw = settling_frames;
   bool running = false;
   WindowEvents events;
@@ -169,6 +170,7 @@ struct Window::Hidden {
   }
 
   void take_events();
+  void follow_monitor();
   void take(XEvent& event);
   void take_key(XEvent& event);
   void take_button(const XButtonEvent& button, bool down);
@@ -194,6 +196,16 @@ void Window::Hidden::take_events() {
     XNextEvent(display, &event);
     if (!keyboard->filters(event)) take(event);
   }
+  if (running && has_moved) follow_monitor();
+}
+
+/// The monitor that the window's middle lies on says how large the interface is made.
+void Window::Hidden::follow_monitor() {
+  has_moved = false;
+  int x = 0, y = 0;
+  ::Window ignored = 0;
+  XTranslateCoordinates(display, window, DefaultRootWindow(display), width / 2, height / 2, &x, &y, &ignored);
+  scale = erg::ui::suggested_scale(desktop_dpi(display), monitor_at(monitors_of(display), x, y));
 }
 
 void Window::Hidden::take(XEvent& event) {
@@ -224,6 +236,7 @@ void Window::Hidden::take(XEvent& event) {
     case ConfigureNotify:
       width = std::max(event.xconfigure.width, 1);
       height = std::max(event.xconfigure.height, 1);
+      has_moved = true;
       break;
     case ClientMessage:
       // The window manager's wish: the person is asked first.

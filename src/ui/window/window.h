@@ -44,7 +44,8 @@ class Window {
   const std::string& driver() const { return driver_; }
   /// True when the processor draws.
   bool is_software() const;
-  /// How many times its usual size the interface should be made here (ui/window/screen_scale.h).
+  /// How many times its usual size the interface should be made on the monitor that the window is on now
+  /// (ui/window/screen_scale.h).
   double suggested_scale() const;
 
   void set_title(const std::string& title);
