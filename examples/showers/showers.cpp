@@ -21,15 +21,39 @@ namespace {
 
 constexpr SlabFamily family{};
 
-Parameters showers_parameters() {
-  Parameters parameters = slab_parameters(family);
-  parameters.push_back(real_parameter("shower_chance", "Chance of a shower", "", 0.1, 0, 1,
-                                      "Chance that a shower falls in a step, anywhere on the grid."));
-  parameters.push_back(
-      real_parameter("shower_radius", "Radius of a shower", "m", 20, 0, 10000, "Of the ground it wets."));
-  parameters.push_back(real_parameter("drying_steps", "Steps to dry", "steps", 20, 1, 10000,
-                                      "Steps after which wet ground is dry again.", "Wiggs, Baird & Atherton 2004"));
-  return parameters;
+/// What its parameters say.
+struct ShowerValues : SlabValues {
+  double shower_chance = 0;  ///< a step
+  double shower_radius = 0;  ///< m
+  double drying_steps = 1;
+};
+
+Binding<ShowerValues> showers_binding() {
+  const Binding<ShowerValues>::Entries own{{&ShowerValues::shower_chance,
+                                            {.key = "shower_chance",
+                                             .label = "Chance of a shower",
+                                             .default_value = 0.1,
+                                             .minimum = 0,
+                                             .maximum = 1,
+                                             .meaning = "Chance that a shower falls in a step, anywhere on the grid."}},
+                                           {&ShowerValues::shower_radius,
+                                            {.key = "shower_radius",
+                                             .label = "Radius of a shower",
+                                             .unit = "m",
+                                             .default_value = 20.0,
+                                             .minimum = 0,
+                                             .maximum = 10000,
+                                             .meaning = "Of the ground it wets."}},
+                                           {&ShowerValues::drying_steps,
+                                            {.key = "drying_steps",
+                                             .label = "Steps to dry",
+                                             .unit = "steps",
+                                             .default_value = 20.0,
+                                             .minimum = 1,
+                                             .maximum = 10000,
+                                             .meaning = "Steps after which wet ground is dry again.",
+                                             .source = "Wiggs, Baird & Atherton 2004"}}};
+  return Binding<ShowerValues>(slab_binding(family), own);
 }
 
 std::vector<FieldInfo> showers_fields() {
@@ -38,9 +62,10 @@ std::vector<FieldInfo> showers_fields() {
 
 class Showers : public SlabModel {
  public:
-  explicit Showers(ParameterValues values) : SlabModel(family, std::move(values)) {}
+  explicit Showers(const ShowerValues& values) : SlabModel(family, values), values_(values) {}
 
   void begin(Terrain& terrain) override {
+    SlabModel::begin(terrain);
     if (!terrain.fields().empty()) return;  // a run that is resumed
     terrain.edit_fields().push_back({showers_fields().front(), Grid<float>(terrain.extent())});
   }
@@ -58,11 +83,11 @@ class Showers : public SlabModel {
     plan.nx = terrain.nx();
     plan.ny = terrain.ny();
     plan.torus = terrain.boundary() == Boundary::torus;
-    plan.drying = static_cast<std::int32_t>(std::ceil(255 / values().real("drying_steps")));
+    plan.drying = static_cast<std::int32_t>(std::ceil(255 / values_.drying_steps));
     plan.x = static_cast<std::int32_t>(random_below(key, 0, 0, 0, static_cast<std::uint32_t>(plan.nx)));
     plan.y = static_cast<std::int32_t>(random_below(key, 0, 1, 0, static_cast<std::uint32_t>(plan.ny)));
-    if (random_unit(key, 0, 2, 0) < values().real("shower_chance")) {
-      plan.radius = static_cast<std::int32_t>(values().real("shower_radius") / terrain.cell_size());
+    if (random_unit(key, 0, 2, 0) < values_.shower_chance) {
+      plan.radius = static_cast<std::int32_t>(values_.shower_radius / terrain.cell_size());
     }
     return plan;
   }
@@ -85,27 +110,30 @@ class Showers : public SlabModel {
     for (std::size_t cell = 0; cell < moisture.size(); ++cell) cover[cell] = static_cast<std::uint8_t>(moisture[cell]);
   }
 
+  ShowerValues values_;
   Cover cover_;
 };
 
 }  // namespace
 
 ModelType showers() {
-  return {{.key = "showers",
-           .title = "Showers",
-           .citation = "Werner 1995 on ground that dries as in Wiggs, G. F. S., Baird, A. J. & Atherton, R. J. (2004). "
-                       "The dynamic effects of moisture on the entrainment and transport of sand by wind. "
-                       "Geomorphology 59, 13-30.",
-           .makes = "dunes with patches that stand still for a while",
-           .leaves_out = "how deep rain soaks in, run-off, the sun, salt",
-           .step = slab_step,
-           .strength_label = slab_strength},
-          showers_parameters(),
-          showers_fields(),
-          6,  // bytes a cell: moisture on its way, the cover, here and with the executor
-          [](const ParameterValues& values) { return std::make_unique<Showers>(values); },
-          explain_slabs,
-          slab_step_scale};
+  return ModelOf<ShowerValues>{
+      .info = {.key = "showers",
+               .title = "Showers",
+               .citation =
+                   "Werner 1995 on ground that dries as in Wiggs, G. F. S., Baird, A. J. & Atherton, R. J. (2004). "
+                   "The dynamic effects of moisture on the entrainment and transport of sand by wind. "
+                   "Geomorphology 59, 13-30.",
+               .makes = "dunes with patches that stand still for a while",
+               .leaves_out = "how deep rain soaks in, run-off, the sun, salt",
+               .step = slab_step,
+               .strength_label = slab_strength},
+      .parameters = showers_binding(),
+      .fields = showers_fields(),
+      .working_bytes = 6,  // bytes a cell: moisture on its way, the cover, here and with the executor
+      .make = [](const ShowerValues& values) { return std::make_unique<Showers>(values); },
+      .explain = [](const ShowerValues& values, double cell_size) { return explain_slabs(values, cell_size); },
+      .step_scale = slab_step_scale};
 }
 
 }  // namespace erg
