@@ -18,7 +18,6 @@ constexpr std::uint32_t narrow_shadow = 0xffff;
 int warm_up_rows(const SubSweep& sweep, int highest) {
   const std::int64_t fall_rows = (std::int64_t{highest} << fixed_point_bits) / sweep.row_fall;
   return static_cast<int>(std::min(fall_rows, sweep.rows_around)) + 2;
-} << fixed_point_bits), sweep.row_fall, 1, around + 2);
 }
 
 /// Tiles are numbered up each block, then along the blocks.
