@@ -1,4 +1,4 @@
-// Drifting, bonding snow on a device, and its time steps there: the phases of transport/snow_machine.h as kernels.
+// Drifting, bonding snow on a device, and its time steps there: the phases of transport/snow_solver.h as kernels.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include "cuda/device_tally.h"
 #include "cuda/snow_plan.h"
 #include "transport/executor.h"
-#include "transport/snow_draws.h"
+#include "transport/snow_step_random.h"
 #include "transport/snow_step.h"
 
 namespace erg {
@@ -48,7 +48,7 @@ class DeviceSnow {
   std::int32_t base_ = 0;  // lowest bedrock
   bool relief_ = false;
   bool strength_shown_ = false;  // since the load
-  SnowDraws draws_;
+  StepRandom draws_;
 
   DeviceLayers layers_;
   DeviceLayer bedrock_;

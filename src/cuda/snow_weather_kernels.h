@@ -171,7 +171,7 @@ __global__ void snow_make_weather(SnowPlan plan) {
     place.rest = law.now - plan.ground.landed[cell];
     place.age = plan.age[cell];
     place.dark = plan.dark[cell];
-    const SnowWeather weather = snow_weather(law, place, static_cast<float>(plan.cosine));
+    const TransportRates weather = transport_rates(law, place, static_cast<float>(plan.cosine));
     SnowCell made;
     made.snow = snow_word(plan.ground.loose[cell], plan.ground.mobile[cell]);
     made.chances = weather.chances;

@@ -14,7 +14,7 @@
 
 #include "transport/aligned_vector.h"
 #include "transport/grain_bed.h"
-#include "transport/snow_drift.h"
+#include "transport/snow_solver.h"
 #include "transport/sweep.h"
 #include "transport/thread_team.h"
 #include "wind/wind_frame.h"
@@ -149,7 +149,7 @@ class ParallelExecutor : public Executor {
   ExecutorOptions options_;
   ThreadTeam team_;
   GrainBed grains_;
-  SnowDrift snow_;
+  SnowSolver snow_;
 
   std::uint64_t stamp_ = 0;  ///< of the terrain that is loaded
   WindFrame frame_;

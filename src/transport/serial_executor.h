@@ -6,7 +6,7 @@
 
 #include "transport/executor.h"
 #include "transport/grain_bed.h"
-#include "transport/snow_drift.h"
+#include "transport/snow_solver.h"
 #include "wind/wind_frame.h"
 
 namespace erg {
@@ -84,7 +84,7 @@ class SerialExecutor : public Executor {
   std::vector<std::uint8_t> cover_;
   std::vector<std::uint32_t> order_;
   GrainBed grains_;
-  SnowDrift snow_;
+  SnowSolver snow_;
 
   // How many cells have each height over lowest_: the highest cell and Bishop's sum come from it at once.
   std::vector<std::int64_t> height_count_;

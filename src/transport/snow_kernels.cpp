@@ -1,4 +1,4 @@
-#include "transport/snow_sweep.h"
+#include "transport/snow_planes.h"
 
 namespace erg {
 

@@ -1,0 +1,169 @@
+#include "transport/snow_solver.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "transport/snow_one_by_one.h"
+
+namespace erg {
+
+StepReport SnowSolver::step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
+                            Executor& executor) {
+  if (stamp_ != terrain.stamp() || fields_stamp_ != terrain.fields_stamp()) load(terrain);
+  stamp_ = 0;
+  executor_ = &executor;
+  begin(terrain, snow, wind, key);
+  measure_heights();
+  find_shadow(snow.shadow_fall);
+  find_rates(snow.radii);
+  if (executor.sub_sweeps() == 0) {
+    report_ = fly_one_by_one(planes_, ground_, frame_, key);
+  } else {
+    fly_in_sweeps();
+  }
+  report_.polls = static_cast<std::int64_t>(terrain.extent().cells());
+  report_.travel /= frame_.cosine;
+  slide();
+  let_snow_fall();
+  for_rows([this](int y) { kernels_.rest(planes_, y); });
+  if (snow.shows_strength) {
+    Grid<float>& strength = snow_layer(terrain.edit_fields(), SnowLayer::strength);
+    for_rows([&](int y) { kernels_.strength(planes_, y, &strength[strength.index(0, y)]); });
+  }
+  terrain.ledger().in += report_.slabs_in;
+  terrain.ledger().out += report_.slabs_out;
+  stamp_ = terrain.stamp();
+  fields_stamp_ = terrain.fields_stamp();
+  return report_;
+}
+
+void SnowSolver::load(const Terrain& terrain) {
+  const Grid<float>& bonded = snow_layer(terrain.fields(), SnowLayer::bonded);
+  loose_.resize(terrain.extent().cells());
+  for (std::size_t cell = 0; cell < loose_.size(); ++cell) {
+    loose_[cell] = loose_slabs(terrain.mobile()[cell], bonded[cell]);
+  }
+}
+
+/// Says where everything lies.
+void SnowSolver::begin(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
+  constexpr int line_of_cells = static_cast<int>(cache_line / sizeof(FlightCell));
+  std::vector<Field>& fields = terrain.edit_fields();
+  const auto layer = [&fields](SnowLayer which) { return snow_layer(fields, which).cells().data(); };
+  frame_ = wind_frame(terrain.extent(), wind.bearing);
+  key_ = key;
+  report_ = {};
+  SnowPlanes& planes = planes_;
+  planes = {};
+  planes.law = &snow.law;
+  planes.nx = terrain.nx();
+  planes.ny = terrain.ny();
+  planes.pitch = ((planes.nx + line_of_cells - 1) / line_of_cells | 1) * line_of_cells;  // odd, or rows would compete
+  planes.torus = terrain.boundary() == Boundary::torus;
+  planes.inflow = planes.torus ? 0 : terrain.inflow();
+  planes.bedrock = terrain.bedrock().cells().data();
+  planes.mobile = terrain.edit_mobile().cells().data();
+  planes.loose = loose_.data();
+  planes.age = layer(SnowLayer::age);
+  planes.landed = layer(SnowLayer::landed);
+  planes.shown_loose = layer(SnowLayer::loose);
+  planes.shown_bonded = layer(SnowLayer::bonded);
+  planes.width = frame_.width;
+  planes.length = frame_.length;
+  // In a grid of one column the steps alone do not tell.
+  planes.along_x = (frame_.step_v == 1 || frame_.step_v == -1) && frame_.length == planes.nx;
+  const int sign_u = frame_.step_u > 0 ? 1 : -1;
+  const int sign_v = frame_.step_v > 0 ? 1 : -1;
+  const auto origin = static_cast<int>(frame_.origin);
+  planes.origin = origin / planes.nx * planes.pitch + origin % planes.nx;
+  planes.step_u = sign_u * (planes.along_x ? planes.pitch : 1);
+  planes.step_v = sign_v * (planes.along_x ? 1 : planes.pitch);
+  const SnowSlopes slopes = snow_slopes(snow.law, frame_.tangent, frame_.cosine);
+  const auto along = static_cast<float>(slopes.along * sign_v);
+  const auto across = static_cast<float>(slopes.across * sign_u);
+  planes.slope_by_x = planes.along_x ? along : across;
+  planes.slope_by_y = planes.along_x ? across : along;
+  planes.rows = static_cast<float>(frame_.cosine);
+  planes.rests = snow_rests(snow.law);
+  Grid<std::int32_t>* const lift_counts = executor_->lift_counts();
+  planes.lift_counts = lift_counts != nullptr ? lift_counts->cells().data() : nullptr;
+  planes.bonding_key = bonding_key(key);
+  const auto next_by_u = static_cast<std::uint32_t>(sign_u * frame_.length);
+  const auto next_by_v = static_cast<std::uint32_t>(sign_v);
+  planes.number =
+      (sign_u > 0 ? 0 : static_cast<std::uint32_t>(frame_.width - 1) * static_cast<std::uint32_t>(frame_.length)) +
+      (sign_v > 0 ? 0 : static_cast<std::uint32_t>(frame_.length - 1));
+  planes.number_by_x = planes.along_x ? next_by_v : next_by_u;
+  planes.number_by_y = planes.along_x ? next_by_u : next_by_v;
+  ground_ = {frame_.width,  frame_.length,  planes.torus,  frame_.origin, frame_.step_u,
+             frame_.step_v, planes.bedrock, planes.mobile, planes.loose,  planes.landed};
+  const auto cells = terrain.extent().cells();
+  const std::size_t places = planes.place(0, planes.ny);
+  const auto make = [](auto& vector, std::size_t count) {
+    if (vector.size() < count) vector.resize(count);
+    return vector.data();
+  };
+  planes.height = make(height_, cells);
+  planes.dark = make(dark_, cells);
+  planes.cells = make(cells_, places);
+  planes.chances = make(chances_, places);
+  planes.powers = make(powers_, places);
+  planes.over = make(over_, places);
+}
+
+/// Calls work(y) for each row of the terrain, on all threads.
+void SnowSolver::for_rows(const std::function<void(int y)>& work) {
+  executor_->for_pieces(planes_.ny, [&work](std::int64_t begin, std::int64_t end) {
+    for (auto y = static_cast<int>(begin); y < end; ++y) work(y);
+  });
+}
+
+void SnowSolver::measure_heights() {
+  SnowHeights all;
+  all.level = planes_.bedrock[0];
+  executor_->for_pieces(planes_.ny, [&](std::int64_t begin, std::int64_t end) {
+    SnowHeights heights;
+    heights.level = planes_.bedrock[0];
+    for (auto y = static_cast<int>(begin); y < end; ++y) kernels_.survey(planes_, y, heights);
+    const std::lock_guard lock(mutex_);
+    all.lowest = std::min(all.lowest, heights.lowest);
+    all.highest = std::max(all.highest, heights.highest);
+    all.most_snow = std::max(all.most_snow, heights.most_snow);
+    all.uneven |= heights.uneven;
+  });
+  relief_ = all.highest - all.lowest;
+  check_snow_height(all.most_snow, relief_);
+  planes_.lowest = all.lowest;
+  planes_.relief = all.uneven != 0;
+  for_rows([this](int y) { kernels_.raise(planes_, y); });
+}
+
+/// Snow falls at random and comes to lie on the lowest of nine cells.
+void SnowSolver::let_snow_fall() {
+  const SnowLaw& law = *planes_.law;
+  if (law.snowfall <= 0) return;
+  const std::uint64_t base = snowfall_word(key_);
+  std::vector<std::uint32_t> all;
+  executor_->for_pieces(frame_.width, [&](std::int64_t begin, std::int64_t end) {
+    std::vector<std::uint32_t> fallen;
+    for (int u = static_cast<int>(begin); u < end; ++u) {
+      for (int v = 0; v < frame_.length; ++v) {
+        const std::uint64_t word = snow_cell_word(base, ground_.number(u, v));
+        const int slabs = falling_slabs(law, word);
+        if (slabs == 0) continue;
+        const std::size_t lowest = lowest_of_nine(ground_, u, v, word);
+        fallen.insert(fallen.end(), static_cast<std::size_t>(slabs), static_cast<std::uint32_t>(lowest));
+      }
+    }
+    const std::lock_guard lock(mutex_);
+    all.insert(all.end(), fallen.begin(), fallen.end());
+  });
+  report_.slabs_in += static_cast<std::int64_t>(all.size());
+  for (const std::uint32_t here : all) {
+    ++planes_.mobile[here];
+    ++planes_.loose[here];
+    planes_.landed[here] = law.now;
+  }
+}
+
+}  // namespace erg
