@@ -6,39 +6,6 @@
 
 constexpr int side_by_side = 16;  // lanes that are worked on together; those too many do no harm
 
-/// What is in the air over the lines of a strip.
-struct Air {
-  std::uint64_t* loads;
-  int* counts;
-  std::uint16_t* lists;
-  std::int32_t width;
-  std::uint32_t ring_first;
-  std::uint32_t ring_mask;
-
-  Air(const SnowPlanes& planes, const SnowStrip& strip)
-      : loads(planes.aloft + strip.first),
-        counts(strip.counts),
-        lists(strip.lists),
-        width(planes.width),
-        ring_first(strip.ring_first),
-        ring_mask(static_cast<std::uint32_t>(planes.ring_mask)) {}
-
-  [[gnu::always_inline]] std::int32_t ring_row(std::int32_t row) const {
-    return static_cast<std::int32_t>((ring_first + static_cast<std::uint32_t>(row)) & ring_mask);
-  }
-  [[gnu::always_inline]] std::uint64_t& load(std::int32_t there, std::int32_t line) const {
-    return loads[static_cast<std::ptrdiff_t>(there) * width + line];
-  }
-  /// Puts a load over a line into a row of the ring; one of 0 changes nothing.
-  [[gnu::always_inline]] void put(std::int32_t there, std::int32_t line, std::uint64_t added) const {
-    std::uint64_t& waiting = load(there, line);
-    std::int32_t& count = counts[there];
-    lists[there * snow_strip_list + count] = static_cast<std::uint16_t>(line);
-    count += (waiting == 0 ? 1 : 0) & (added != 0 ? 1 : 0);
-    waiting += added;
-  }
-};
-
 // --- lifting ---
 
 // A polled cell: its line and its row in the block, and whether loose snow would lift there, and bonded snow.
@@ -46,10 +13,11 @@ constexpr int polled_row_bit = 8;
 constexpr int lifts_loose_bit = 14;
 constexpr int lifts_hard_bit = 15;
 
-/// Polls one cell of each line in a block of as many rows as there are sub-sweeps, and lists those that might let a
-/// slab go; returns how many.
+/// Polls one cell of each of the lines from `begin` to before `end` in a block of as many rows as there are sub-sweeps,
+/// and lists those that might let a slab go; returns how many. On an open grid only those whose line has, or has not,
+/// crossed the side since the first row of the block.
 [[gnu::noinline]] int poll(const SnowPlanes& planes, const SnowSweep& sweep, int block, const SnowStrip& strip,
-                           std::uint16_t* list) {
+                           int begin, int end, bool crossed, std::uint16_t* list) {
   constexpr int lanes = 64;
   alignas(64) std::uint32_t polled[lanes];
   const std::uint32_t* __restrict polled_row = sweep.polled_row;
@@ -62,38 +30,33 @@ constexpr int lifts_hard_bit = 15;
   const std::int32_t step_v = planes.step_v;
   const std::int32_t origin = planes.origin + block * step_v;
   const std::int32_t rows = planes.length - block;
+  const std::int32_t open = planes.torus ? 0 : 1;
+  const std::int32_t wanted = crossed ? 1 : 0;
   int count = 0;
-  for (int first = 0; first < strip.lines; first += lanes) {
+  for (int first = begin; first < end; first += lanes) {
     const std::int32_t first_line = strip.first + first;
-    const std::int32_t lines = strip.lines - first;
+    const std::int32_t lines = end - first;
     ERG_EACH(i, lanes) {
       const std::uint32_t word = snow_poll_word(block_key, static_cast<std::uint32_t>(first_line + i));
       const auto row = static_cast<std::int32_t>(polled_row[static_cast<std::int32_t>(word >> 24)]);
       const std::int32_t inside = (row < rows ? 1 : 0) & (i < lines ? 1 : 0);
       const std::int32_t there = row & -inside;
-      const std::int32_t column = offsets[there] + first_line + (i & -inside);
-      const std::uint32_t chance =
-          chances[origin + (column < width ? column : column - width) * step_u + there * step_v];
+      const std::int32_t line = first_line + (i & -inside);
+      const std::int32_t gone = offsets[there] + line;
+      const std::int32_t column = gone < width ? gone : gone - width;
+      const std::int32_t began = offsets[0] + line < width ? offsets[0] + line : offsets[0] + line - width;
+      const std::uint32_t chance = chances[origin + column * step_u + there * step_v];
       const std::uint32_t drawn = snow_poll_draw(word, sweep_key);
       const std::uint32_t lifts =
           (drawn < (chance & 0xffff) ? 1u << lifts_loose_bit : 0u) | (drawn < chance >> 16 ? 1u << lifts_hard_bit : 0u);
+      const std::int32_t listed = inside & (((column < began ? 1 : 0) & open) == wanted ? 1 : 0);
       polled[i] = static_cast<std::uint32_t>(first + i + (there << polled_row_bit)) |
-                  (lifts & -static_cast<std::uint32_t>(inside));
+                  (lifts & -static_cast<std::uint32_t>(listed));
     }
-#if defined(__AVX512BW__)
-    for (int i = 0; i < lanes; i += 16) {
-      const __m512i some = _mm512_load_si512(polled + i);
-      const __mmask16 lift = _mm512_test_epi32_mask(some, _mm512_set1_epi32(3 << lifts_loose_bit));
-      const __m512i listed = _mm512_maskz_compress_epi32(lift, some);
-      _mm256_storeu_si256(reinterpret_cast<__m256i*>(list + count), _mm512_maskz_cvtepi32_epi16(0xffff, listed));
-      count += __builtin_popcount(lift);
-    }
-#else
     for (const std::uint32_t poll : polled) {
       list[count] = static_cast<std::uint16_t>(poll);
       count += poll >> lifts_loose_bit != 0 ? 1 : 0;
     }
-#endif
   }
   return count;
 }
@@ -109,13 +72,13 @@ constexpr int lifts_hard_bit = 15;
   alignas(64) std::int32_t ring_row[snow_strip_list];
   alignas(64) std::uint32_t share[snow_strip_list];
   auto* const words = reinterpret_cast<std::uint32_t*>(planes.cells);  // a cell's two
-  const Air air(planes, strip);
+  const SnowStrip air = strip;                                         // a copy, which no store can change
   const int* __restrict offsets = planes.offsets + 1 + block;
   const std::int32_t width = planes.width;
   const std::int32_t step_u = planes.step_u;
   const std::int32_t step_v = planes.step_v;
   const std::int32_t origin = planes.origin + block * step_v;
-  const std::int32_t first_line = strip.first;
+  const std::int32_t first_line = air.first;
   std::int32_t rows_flown = 0;
   std::int32_t lifted = 0;
   for (int first = 0; first < count; first += side_by_side) {
@@ -162,9 +125,8 @@ constexpr int lifts_hard_bit = 15;
     words[2 * place[k]] = left[k];
     air.put(ring_row[k], line[k], goes[k] * one_slab + share[k]);
   }
-  for (int k = 0; k < count && planes.lift_counts != nullptr; ++k) {
-    planes.lift_counts[planes.cell_at(place[k])] += static_cast<std::int32_t>(goes[k]);
-  }
+  if (planes.lift_counts == nullptr) return;
+  for (int k = 0; k < count; ++k) planes.lift_counts[planes.cell_at(place[k])] += static_cast<std::int32_t>(goes[k]);
 }
 
 // --- coming down ---
@@ -191,12 +153,12 @@ struct Arrivals {
 [[gnu::always_inline]] inline void decide(const SnowPlanes& planes, bool last, int row, std::uint64_t row_word,
                                           const std::uint16_t* __restrict list, int count, Arrivals& all,
                                           SnowStrip& strip) {
-  const Air air(planes, strip);
+  const SnowStrip air = strip;
   const auto* __restrict words = reinterpret_cast<const std::uint32_t*>(planes.cells);
   const std::int32_t width = planes.width;
   const std::int32_t step_u = planes.step_u;
   const std::int32_t origin = planes.origin + row * planes.step_v;
-  const std::int32_t offset = planes.offsets[row + 1] + strip.first;
+  const std::int32_t offset = planes.offsets[row + 1] + air.first;
   const std::uint64_t first_word = row_word + static_cast<std::uint64_t>(strip.first);
   const SnowRests rests = planes.rests;
   const std::uint32_t least_rest = last ? certain : 0;
@@ -248,7 +210,6 @@ struct Arrivals {
 
 /// The slabs of a load that are not the first.
 void decide_others(const SnowPlanes& planes, int row, std::uint64_t load, int k, Arrivals& all, SnowStrip& strip) {
-  const Air air(planes, strip);
   std::uint64_t word = all.word[k];
   for (std::uint32_t slabs = slabs_of(load); slabs > 1; --slabs) {
     word = mix64(word);
@@ -259,7 +220,7 @@ void decide_others(const SnowPlanes& planes, int row, std::uint64_t load, int k,
       ++strip.slabs_out;
     } else {
       const SnowHop hop = snow_hop(all.way[k], run_of(all.way[k]), static_cast<std::uint32_t>(word >> 32));
-      air.put(air.ring_row(row + hop.rows), all.line[k], hop.load);
+      strip.put(strip.ring_row(row + hop.rows), all.line[k], hop.load);
       strip.rows_flown += hop.rows;
     }
   }
@@ -267,13 +228,13 @@ void decide_others(const SnowPlanes& planes, int row, std::uint64_t load, int k,
 
 /// How many slabs of bonded snow the impacts of a load free in place.
 [[gnu::noinline]] std::int32_t strike(const SnowPlanes& planes, int row, std::uint64_t load, int k, const Arrivals& all,
-                                      const SnowStrip& strip) {
+                                      int first_line) {
   const std::int32_t place = all.place[k];
   const std::uint32_t hops = std::uint32_t{planes.powers[place]} << 16;
   if (hops == 0) return 0;
   const auto ground = [&planes](std::int32_t at) { return planes.relief ? planes.bedrock[planes.cell_at(at)] : 0; };
   const std::int32_t mobile = mobile_of(all.snow[k]);
-  const int line = strip.first + all.line[k];
+  const int line = first_line + all.line[k];
   std::int32_t rise = 0;
   if (row > 0) {
     const std::int32_t upwind = planes.place_of_line(line, row - 1);
@@ -291,8 +252,8 @@ void decide_others(const SnowPlanes& planes, int row, std::uint64_t load, int k,
 
 /// Brings down all that is in the air over a row: slabs strike what lies there, stay or fly on.
 [[gnu::noinline]] void land(const SnowPlanes& planes, bool last, int row, std::uint64_t row_word, SnowStrip& strip) {
-  const Air air(planes, strip);
-  const std::int32_t there = air.ring_row(row);
+  const SnowStrip air = strip;
+  const int there = air.ring_row(row);
   const int count = air.counts[there];
   if (count == 0) return;
   Arrivals all;
@@ -300,7 +261,7 @@ void decide_others(const SnowPlanes& planes, int row, std::uint64_t load, int k,
   for (int k = 0; k < count; ++k) {
     std::uint64_t& load = air.load(there, all.line[k]);
     if (all.strikes[k] != 0) {
-      all.snow_left[k] += static_cast<std::uint32_t>(strike(planes, row, load, k, all, strip));
+      all.snow_left[k] += static_cast<std::uint32_t>(strike(planes, row, load, k, all, air.first));
     }
     if (slabs_of(load) > 1) decide_others(planes, row, load, k, all, strip);
     planes.cells[all.place[k]] = {all.snow_left[k], all.way_left[k]};
@@ -313,18 +274,17 @@ void decide_others(const SnowPlanes& planes, int row, std::uint64_t load, int k,
 // --- edges ---
 
 /// The slabs in the air over a line have left over an open side before this row.
-void drop_out(const SnowPlanes& planes, int row, int line, SnowStrip& strip) {
-  const Air air(planes, strip);
-  for (int rows = 0; rows <= planes.ring_mask; ++rows) {
-    const std::int32_t there = air.ring_row(row + rows);
-    std::uint64_t& load = air.load(there, line);
+void drop_out(int row, int line, SnowStrip& strip) {
+  for (int rows = 0; rows <= static_cast<int>(strip.ring_mask); ++rows) {
+    const int there = strip.ring_row(row + rows);
+    std::uint64_t& load = strip.load(there, line);
     if (load == 0) continue;
     const std::int64_t slabs = slabs_of(load);
     strip.slabs_out += slabs;
     strip.rows_flown -= slabs * (rows + 1);
     load = 0;
-    std::uint16_t* listed = air.lists + there * snow_strip_list;
-    const std::uint16_t last = listed[--air.counts[there]];
+    std::uint16_t* listed = strip.lists + there * snow_strip_list;
+    const std::uint16_t last = listed[--strip.counts[there]];
     while (*listed != line) ++listed;
     *listed = last;
   }
@@ -333,14 +293,13 @@ void drop_out(const SnowPlanes& planes, int row, int line, SnowStrip& strip) {
 /// Drift comes in over an open edge.
 void enter(const SnowPlanes& planes, const SnowSweep& sweep, int row, int line, SnowStrip& strip) {
   if (planes.inflow <= 0 || !sweep.polls) return;
-  const Air air(planes, strip);
   std::uint32_t word = entering_word(sweep, strip.first + line);
   const int slabs = entering_slabs(planes.inflow, planes.sweeps, word);
   const std::uint32_t way = planes.cells[planes.place_of_line(strip.first + line, row)].way;
   for (int slab = 0; slab < slabs; ++slab) {
     word = next_snow_word(word);
     const int rows = entering_rows(way, run_of(way), word);
-    air.put(air.ring_row(row + rows), line, one_slab + whole_hop);
+    strip.put(strip.ring_row(row + rows), line, one_slab + whole_hop);
     strip.rows_flown += rows;
   }
   strip.slabs_in += slabs;
@@ -356,16 +315,15 @@ int crossing_line(const SnowPlanes& planes, int row, const SnowStrip& strip) {
 
 /// What is in the air over the last row goes on at the other end of the torus, or has left over the open edge.
 void leave_grid(const SnowPlanes& planes, SnowStrip& strip) {
-  const Air air(planes, strip);
   if (planes.torus && planes.closes) {
     strip.ring_first += static_cast<std::uint32_t>(planes.length);
     return;
   }
-  for (int rows = 0; rows <= planes.ring_mask; ++rows) {
-    const std::int32_t there = air.ring_row(planes.length + rows);
-    for (int k = 0; k < air.counts[there]; ++k) {
-      const int line = air.lists[there * snow_strip_list + k];
-      std::uint64_t& load = air.load(there, line);
+  for (int rows = 0; rows <= static_cast<int>(strip.ring_mask); ++rows) {
+    const int there = strip.ring_row(planes.length + rows);
+    for (int k = 0; k < strip.counts[there]; ++k) {
+      const int line = strip.lists[there * snow_strip_list + k];
+      std::uint64_t& load = strip.load(there, line);
       if (planes.torus) {
         const int next = (strip.first + line + planes.drift) % planes.width;
         planes.handed_over[static_cast<std::ptrdiff_t>(rows) * planes.width + next] += load;
@@ -377,64 +335,32 @@ void leave_grid(const SnowPlanes& planes, SnowStrip& strip) {
       }
       load = 0;
     }
-    air.counts[there] = 0;
+    strip.counts[there] = 0;
   }
-}
-
-bool anything_aloft(const SnowPlanes& planes, const SnowStrip& strip) {
-  int loads = 0;
-  for (int row = 0; row <= planes.ring_mask; ++row) loads |= strip.counts[row];
-  return loads != 0;
-}
-
-/// Takes from a list the polls of lines that cross an open side between the first row of a block and theirs: what is in
-/// the air when they cross is lost. Returns how many are left; the others stand behind them.
-int hold_back(const SnowPlanes& planes, int block, const SnowStrip& strip, std::uint16_t* list, int count) {
-  const auto column = [&](int line, int row) {
-    const int column = planes.offsets[row + 1] + strip.first + line;
-    return column < planes.width ? column : column - planes.width;
-  };
-  for (int k = 0; k < count;) {
-    const std::uint16_t poll = list[k];
-    const int line = poll & 0xff;
-    if (column(line, block + (poll >> polled_row_bit & 0x3f)) >= column(line, block)) {
-      ++k;
-    } else {
-      list[k] = list[--count];
-      list[count] = poll;
-    }
-  }
-  return count;
 }
 
 /// One sub-sweep of a strip.
 void fly(const SnowPlanes& given, const SnowSweep& sweep, SnowStrip& strip) {
-  const SnowPlanes planes = given;  // a copy, which no store can change
+  const SnowPlanes planes = given;
   alignas(64) std::uint64_t row_words[64] = {};
   alignas(64) std::uint16_t polls[snow_strip_list] = {};
-  int polled = 0;
-  int lifted = 0;
-  for (int row = 0; row < planes.length && (sweep.polls || anything_aloft(planes, strip)); ++row) {
-    const int in_block = row & (planes.sweeps - 1);
+  for (int row = 0; row < planes.length && (sweep.polls || strip.anything_aloft()); ++row) {
+    const int block = row & -planes.sweeps;
     const int crossing = planes.torus ? -1 : crossing_line(planes, row, strip);
     if (crossing >= 0) {
-      drop_out(planes, row, crossing, strip);
+      drop_out(row, crossing, strip);
       enter(planes, sweep, row, crossing, strip);
     }
-    if (in_block == 0) {
+    if (row == block) {
       ERG_EACH(k, planes.sweeps) row_words[k] = flight_row_word(sweep.key, row + k);
-      polled = sweep.polls ? poll(planes, sweep, row, strip, polls) : 0;
-      lifted = planes.torus ? polled : hold_back(planes, row, strip, polls, polled);
-      lift(planes, row, row_words, polls, lifted, strip);
-    } else if (crossing >= 0) {
-      for (int k = lifted; k < polled; ++k) {
-        if ((polls[k] & 0xff) == crossing) lift(planes, row - in_block, row_words, polls + k, 1, strip);
-      }
+      const int count = sweep.polls ? poll(planes, sweep, block, strip, 0, strip.lines, false, polls) : 0;
+      lift(planes, block, row_words, polls, count, strip);
+    } else if (crossing >= 0) {  // what was in the air is lost; only now may a slab of this line lift in the block
+      const int count = poll(planes, sweep, block, strip, crossing, crossing + 1, true, polls);
+      lift(planes, block, row_words, polls, count, strip);
     }
-    if (row == 0 && !planes.torus) {
-      for (int line = 0; line < strip.lines; ++line) enter(planes, sweep, row, line, strip);
-    }
-    land(planes, sweep.last, row, ~row_words[in_block], strip);
+    for (int line = 0; row == 0 && !planes.torus && line < strip.lines; ++line) enter(planes, sweep, row, line, strip);
+    land(planes, sweep.last, row, ~row_words[row - block], strip);
   }
   leave_grid(planes, strip);
 }

@@ -6,6 +6,7 @@
 // waits for another: a thread takes a strip of lines through all sub-sweeps.
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "transport/snow_solver.h"
 
@@ -22,8 +23,13 @@ void SnowSolver::fly_in_sweeps() {
   if (planes_.relief) find_walls();
   lay_out_ahead();
   for_rows([this](int y) { kernels_.runs(planes_, y); });
-  fill_ring();
-  fly_strips();
+  make_strips();
+  for_strips([this](SnowStrip& strip) {  // lines that close on themselves bring down all that is in the air
+    const auto sweeps = static_cast<std::size_t>(planes_.sweeps);
+    for (std::size_t number = 0; number < sweeps || strip.anything_aloft(); ++number) {
+      kernels_.fly(planes_, random_.sweeps[random_.sweep_number(number)], strip);
+    }
+  });
   if (!planes_.closes) bring_down();
   for_rows([this](int y) { kernels_.scatter(planes_, y); });
   std::int64_t rows_flown = 0;
@@ -96,69 +102,56 @@ void SnowSolver::lay_out_ahead() {
 }
 
 /// Shares the lines out in strips, with nothing in the air.
-void SnowSolver::fill_ring() {
+void SnowSolver::make_strips() {
   // A block's slabs lift together, those of its last row as early as those of its first.
   const std::size_t rows = std::bit_ceil(static_cast<std::size_t>(planes_.reach + planes_.sweeps));
   const std::size_t loads = rows * static_cast<std::size_t>(frame_.width);
   aloft_.assign(loads, 0);
   handed_over_.assign(planes_.closes ? 0 : loads, 0);
-  planes_.ring_mask = static_cast<int>(rows) - 1;
-  planes_.aloft = aloft_.data();
   planes_.handed_over = handed_over_.data();
   const int turns =
       (frame_.width + snow_strip_lines * executor_->threads() - 1) / (snow_strip_lines * executor_->threads());
   const int shares = turns * executor_->threads();
   const int lines = ((frame_.width + shares - 1) / shares + 15) / 16 * 16;
-  strips_.clear();
-  for (int first = 0; first < frame_.width; first += lines) {
-    strips_.push_back({.first = first, .lines = std::min(lines, frame_.width - first)});
-  }
-  lists_.assign(strips_.size() * rows * snow_strip_list, 0);
-  counts_.assign(strips_.size() * rows, 0);
-  for (std::size_t k = 0; k < strips_.size(); ++k) {
-    strips_[k].lists = lists_.data() + k * rows * snow_strip_list;
-    strips_[k].counts = counts_.data() + k * rows;
+  const auto count = static_cast<std::size_t>((frame_.width + lines - 1) / lines);
+  lists_.assign(count * rows * snow_strip_list, 0);
+  counts_.assign(count * rows, 0);
+  strips_.assign(count, {});
+  for (std::size_t k = 0; k < count; ++k) {
+    SnowStrip& strip = strips_[k];
+    strip.first = static_cast<int>(k) * lines;
+    strip.lines = std::min(lines, frame_.width - strip.first);
+    strip.loads = aloft_.data() + strip.first;
+    strip.width = frame_.width;
+    strip.ring_mask = static_cast<std::uint32_t>(rows - 1);
+    strip.lists = lists_.data() + k * rows * snow_strip_list;
+    strip.counts = counts_.data() + k * rows;
   }
 }
 
-/// All sub-sweeps. Lines that close on themselves bring down all that is in the air.
-void SnowSolver::fly_strips() {
-  executor_->for_pieces(static_cast<std::int64_t>(strips_.size()), [this](std::int64_t begin, std::int64_t end) {
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      SnowStrip& strip = strips_[k];
-      const auto aloft = [&strip, this] {
-        return std::any_of(strip.counts, strip.counts + planes_.ring_mask + 1, [](int count) { return count > 0; });
-      };
-      const auto sweeps = static_cast<std::size_t>(planes_.sweeps);
-      for (std::size_t number = 0; number < sweeps || (planes_.torus && planes_.closes && aloft()); ++number) {
-        kernels_.fly(planes_, random_.sweeps[random_.sweep_number(number)], strip);
-      }
-    }
+/// Calls work(strip) for each strip, on all threads.
+void SnowSolver::for_strips(const std::function<void(SnowStrip& strip)>& work) {
+  executor_->for_pieces(static_cast<std::int64_t>(strips_.size()), [&](std::int64_t begin, std::int64_t end) {
+    std::for_each(strips_.begin() + begin, strips_.begin() + end, work);
   });
-}
-
-/// Lists the loads that are in the air over the lines of a strip.
-void SnowSolver::list_loads(SnowStrip& strip) {
-  strip.ring_first = 0;
-  strip.hands_over = false;
-  for (int row = 0; row <= planes_.ring_mask; ++row) {
-    const std::uint64_t* const loads = planes_.aloft + static_cast<std::ptrdiff_t>(row) * planes_.width + strip.first;
-    for (int line = 0; line < strip.lines; ++line) {
-      if (loads[line] != 0) strip.lists[row * snow_strip_list + strip.counts[row]++] = static_cast<std::uint16_t>(line);
-    }
-  }
 }
 
 /// Where lines go on as others: pass after pass until nothing is in the air.
 void SnowSolver::bring_down() {
   const auto hands_over = [](const SnowStrip& strip) { return strip.hands_over; };
   for (auto number = static_cast<std::size_t>(planes_.sweeps); std::ranges::any_of(strips_, hands_over); ++number) {
-    std::swap(planes_.aloft, planes_.handed_over);  // the first is empty by now
-    executor_->for_pieces(static_cast<std::int64_t>(strips_.size()), [&](std::int64_t begin, std::int64_t end) {
-      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-        list_loads(strips_[k]);
-        kernels_.fly(planes_, random_.sweeps[random_.sweep_number(number)], strips_[k]);
+    std::swap(aloft_, handed_over_);  // the first is empty by now
+    planes_.handed_over = handed_over_.data();
+    for_strips([&](SnowStrip& strip) {
+      strip.ring_first = 0;
+      strip.hands_over = false;
+      strip.loads = aloft_.data() + strip.first;
+      for (int row = 0; row <= static_cast<int>(strip.ring_mask); ++row) {
+        for (int line = 0; line < strip.lines; ++line) {
+          if (strip.load(row, line) != 0) strip.put(row, line, std::exchange(strip.load(row, line), 0));
+        }
       }
+      kernels_.fly(planes_, random_.sweeps[random_.sweep_number(number)], strip);
     });
   }
 }

@@ -3,40 +3,12 @@
 
 #include <cstdint>
 
-#if defined(__AVX512BW__)
-#include <immintrin.h>
-#endif
-
 #include "transport/each_lane.h"
 #include "transport/snow_planes.h"
 
 namespace erg {
 namespace ERG_KERNELS {
 namespace {
-
-// --- heights ---
-
-void survey(const SnowPlanes& planes, int y, SnowHeights& heights) {
-  const std::int32_t* __restrict bedrock = planes.bedrock + planes.cell(0, y);
-  const std::int32_t* __restrict mobile = planes.mobile + planes.cell(0, y);
-  SnowHeights all = heights;
-  ERG_EACH(x, planes.nx) {
-    const std::int32_t here = bedrock[x] + mobile[x];
-    all.lowest = here < all.lowest ? here : all.lowest;
-    all.highest = here > all.highest ? here : all.highest;
-    all.most_snow = mobile[x] > all.most_snow ? mobile[x] : all.most_snow;
-    all.uneven |= bedrock[x] ^ all.level;
-  }
-  heights = all;
-}
-
-void raise(const SnowPlanes& planes, int y) {
-  const std::int32_t* __restrict bedrock = planes.bedrock + planes.cell(0, y);
-  const std::int32_t* __restrict mobile = planes.mobile + planes.cell(0, y);
-  std::uint16_t* __restrict height = planes.height + planes.cell(0, y);
-  const std::int32_t lowest = planes.lowest;
-  ERG_EACH(x, planes.nx) height[x] = static_cast<std::uint16_t>(bedrock[x] + mobile[x] - lowest);
-}
 
 // --- means over boxes ---
 
@@ -200,10 +172,6 @@ void scatter(const SnowPlanes& planes, int y) {
 
 /// 64 bytes, each 0 or 1, as bits.
 [[gnu::always_inline]] inline std::uint64_t bits_of(const std::uint8_t* bytes) {
-#if defined(__AVX512BW__)
-  const __m512i all = _mm512_loadu_si512(bytes);
-  return _mm512_test_epi8_mask(all, all);
-#else
   std::uint64_t bits = 0;
   for (int k = 0; k < 8; ++k) {
     std::uint64_t eight = 0;
@@ -211,7 +179,6 @@ void scatter(const SnowPlanes& planes, int y) {
     bits |= (eight * 0x0102040810204080u >> 56) << (8 * k);  // one bit of each byte
   }
   return bits;
-#endif
 }
 
 std::uint64_t steep(const SnowPlanes& planes, std::size_t a, std::size_t b, int count) {
@@ -279,8 +246,7 @@ void strength(const SnowPlanes& planes, int y, float* __restrict strength) {
 }  // namespace
 
 extern const SnowKernels snow_kernels;
-const SnowKernels snow_kernels{survey, raise, rates,   runs,     scatter, rest,   strength,
-                               fly,    steep, add_row, add_sums, add_up,  average};
+const SnowKernels snow_kernels{rates, runs, scatter, rest, strength, fly, steep, add_row, add_sums, add_up, average};
 
 }  // namespace ERG_KERNELS
 }  // namespace erg

@@ -47,7 +47,6 @@ struct SnowPlanes {
   std::int32_t step_v = 1;
 
   // Transport rates.
-  std::int32_t lowest = 0;          ///< surface
   std::uint16_t* height = nullptr;  ///< surface over the lowest one, in the terrain's order as the next
   std::uint8_t* dark = nullptr;
   float slope_by_x = 0;  ///< slope along the wind = slope_by_x (east - west) + slope_by_y (north - south)
@@ -71,10 +70,8 @@ struct SnowPlanes {
   int sweeps = 8;     ///< that poll
   double inflow = 0;  ///< slabs a line and step, over open edges
   SnowRests rests;
-  std::uint64_t* aloft = nullptr;        ///< slabs in the air: for each row of a ring the loads of all lines
-  int ring_mask = 1;                     ///< rows of the ring less one
   bool closes = true;                    ///< each line goes on as itself behind the torus edge, or not at all
-  std::uint64_t* handed_over = nullptr;  ///< the same of slabs that go on in another line
+  std::uint64_t* handed_over = nullptr;  ///< loads that go on in another line: as SnowStrip::loads, of all lines
   int drift = 0;                         ///< columns from a line to that other one
   std::int32_t* lift_counts = nullptr;   ///< Executor::lift_counts, or null
 
@@ -99,15 +96,6 @@ struct SnowPlanes {
   }
 };
 
-/// What is to be known of the heights of many cells.
-struct SnowHeights {
-  std::int32_t level = 0;                  ///< of the bedrock, if it is level
-  std::int32_t lowest = 0x7fffffff;        ///< surface
-  std::int32_t highest = -0x7fffffff - 1;  ///< surface
-  std::int32_t most_snow = 0;
-  std::int32_t uneven = 0;  ///< not 0: the bedrock is not level
-};
-
 /// The smoothed surface around a row of the terrain, and the mean of its surroundings. Rows of levels have a place more
 /// on either side.
 struct SnowLevels {
@@ -122,25 +110,49 @@ struct SnowLevels {
 inline constexpr int snow_strip_lines = 256;
 inline constexpr int snow_strip_list = snow_strip_lines + 16;
 
-/// Lines that one thread follows through the sub-sweeps of a step, side by side. Nothing in one line reads another.
+/// Lines that one thread follows through the sub-sweeps of a step, side by side, and what is in the air over them.
+/// Nothing in one line reads another.
 struct SnowStrip {
   int first = 0;
   int lines = 0;
-  std::uint32_t ring_first = 0;  ///< the ring's row of the grid's first row
-  std::uint16_t* lists =
-      nullptr;            ///< for each row of the ring the lines that have a load there, `snow_strip_list` places
-  int* counts = nullptr;  ///< how many they are
   std::int64_t lifts = 0;
   std::int64_t rows_flown = 0;
   std::int64_t slabs_in = 0;
   std::int64_t slabs_out = 0;
   bool hands_over = false;  ///< slabs have gone on in other lines
+
+  // Slabs in the air wait in a ring of rows.
+  std::uint64_t* loads = nullptr;  ///< for each of its rows those of all lines of the grid, from the strip's first on
+  int width = 0;                   ///< of the grid
+  std::uint32_t ring_first = 0;    ///< the ring's row of the grid's first row
+  std::uint32_t ring_mask = 1;     ///< rows of the ring less one
+  std::uint16_t* lists = nullptr;  ///< for each row the lines of the strip that have a load, `snow_strip_list` places
+  int* counts = nullptr;           ///< how many they are
+
+  /// The ring's row of a row of the grid.
+  ERG_CELL_RULE int ring_row(int row) const {
+    return static_cast<int>((ring_first + static_cast<std::uint32_t>(row)) & ring_mask);
+  }
+  ERG_CELL_RULE std::uint64_t& load(int there, int line) const {
+    return loads[static_cast<std::ptrdiff_t>(there) * width + line];
+  }
+  /// Puts a load into the air; one of 0 changes nothing.
+  ERG_CELL_ACT void put(int there, int line, std::uint64_t added) const {
+    std::uint64_t& waiting = load(there, line);
+    int& count = counts[there];
+    lists[there * snow_strip_list + count] = static_cast<std::uint16_t>(line);
+    count += (waiting == 0 ? 1 : 0) & (added != 0 ? 1 : 0);
+    waiting += added;
+  }
+  ERG_CELL_RULE bool anything_aloft() const {
+    int loaded = 0;
+    for (std::uint32_t row = 0; row <= ring_mask; ++row) loaded |= counts[row];
+    return loaded != 0;
+  }
 };
 
 struct SnowKernels {
   // Of a row `y` of the terrain.
-  void (*survey)(const SnowPlanes& planes, int y, SnowHeights& heights);
-  void (*raise)(const SnowPlanes& planes, int y);
   /// Returns the longest mean hop, in 1/64 rows.
   std::uint32_t (*rates)(const SnowPlanes& planes, int y, const SnowLevels& levels);
   void (*runs)(const SnowPlanes& planes, int y);

@@ -1,7 +1,7 @@
 #include "transport/snow_solver.h"
 
 #include <algorithm>
-#include <utility>
+#include <limits>
 
 #include "transport/snow_one_by_one.h"
 
@@ -119,23 +119,36 @@ void SnowSolver::for_rows(const std::function<void(int y)>& work) {
 }
 
 void SnowSolver::measure_heights() {
-  SnowHeights all;
-  all.level = planes_.bedrock[0];
-  executor_->for_pieces(planes_.ny, [&](std::int64_t begin, std::int64_t end) {
-    SnowHeights heights;
-    heights.level = planes_.bedrock[0];
-    for (auto y = static_cast<int>(begin); y < end; ++y) kernels_.survey(planes_, y, heights);
+  const std::int32_t* const bedrock = planes_.bedrock;
+  const std::int32_t* const mobile = planes_.mobile;
+  const auto cells = static_cast<std::int64_t>(planes_.cell(0, planes_.ny));
+  std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
+  std::int32_t highest = std::numeric_limits<std::int32_t>::min();
+  std::int32_t most_snow = 0;
+  executor_->for_pieces(cells, [&](std::int64_t begin, std::int64_t end) {
+    std::int32_t low = std::numeric_limits<std::int32_t>::max();
+    std::int32_t high = std::numeric_limits<std::int32_t>::min();
+    std::int32_t most = 0;
+    std::int32_t uneven = 0;
+    for (std::int64_t cell = begin; cell < end; ++cell) {
+      low = std::min(low, bedrock[cell] + mobile[cell]);
+      high = std::max(high, bedrock[cell] + mobile[cell]);
+      most = std::max(most, mobile[cell]);
+      uneven |= bedrock[cell] ^ bedrock[0];
+    }
     const std::lock_guard lock(mutex_);
-    all.lowest = std::min(all.lowest, heights.lowest);
-    all.highest = std::max(all.highest, heights.highest);
-    all.most_snow = std::max(all.most_snow, heights.most_snow);
-    all.uneven |= heights.uneven;
+    lowest = std::min(lowest, low);
+    highest = std::max(highest, high);
+    most_snow = std::max(most_snow, most);
+    planes_.relief |= uneven != 0;
   });
-  relief_ = all.highest - all.lowest;
-  check_snow_height(all.most_snow, relief_);
-  planes_.lowest = all.lowest;
-  planes_.relief = all.uneven != 0;
-  for_rows([this](int y) { kernels_.raise(planes_, y); });
+  relief_ = highest - lowest;
+  check_snow_height(most_snow, relief_);
+  executor_->for_pieces(cells, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t cell = begin; cell < end; ++cell) {
+      height_[static_cast<std::size_t>(cell)] = static_cast<std::uint16_t>(bedrock[cell] + mobile[cell] - lowest);
+    }
+  });
 }
 
 /// Snow falls at random and comes to lie on the lowest of nine cells.

@@ -47,9 +47,8 @@ class SnowSolver {
   void fly_in_sweeps();
   void find_walls();
   void lay_out_ahead();
-  void fill_ring();
-  void fly_strips();
-  void list_loads(SnowStrip& strip);
+  void make_strips();
+  void for_strips(const std::function<void(SnowStrip& strip)>& work);
   void bring_down();
 
   void slide();
