@@ -82,23 +82,24 @@ constexpr int lifts_hard_bit = 15;
   std::int32_t rows_flown = 0;
   std::int32_t lifted = 0;
   for (int first = 0; first < count; first += side_by_side) {
+    alignas(64) std::int32_t poll[side_by_side];
     alignas(64) std::int32_t row[side_by_side];
     alignas(64) std::uint32_t way[side_by_side];
     alignas(64) std::uint64_t word[side_by_side];
     const std::uint16_t* __restrict list = polls + first;
     const std::uint32_t* __restrict found = words;
     const std::int32_t lanes = count - first;
+    ERG_EACH(k, side_by_side) poll[k] = k < lanes ? list[k] : 0;
     ERG_EACH(k, side_by_side) {
-      const std::int32_t poll = k < lanes ? list[k] : 0;
-      const std::int32_t here = poll & 0xff;
-      row[k] = poll >> polled_row_bit & 0x3f;
+      const std::int32_t here = poll[k] & 0xff;
+      row[k] = poll[k] >> polled_row_bit & 0x3f;
       const std::int32_t column = offsets[row[k]] + first_line + here;
       const std::int32_t at = origin + (column < width ? column : column - width) * step_u + row[k] * step_v;
       const std::uint32_t snow = found[2 * at];
       const std::uint32_t loose = (snow & 0xffff) != 0 ? 1 : 0;
       const std::uint32_t hard = snow != 0 ? 1 : 0;
-      const auto lifts_loose = static_cast<std::uint32_t>(poll >> lifts_loose_bit & 1);
-      const auto lifts_hard = static_cast<std::uint32_t>(poll >> lifts_hard_bit & 1);
+      const auto lifts_loose = static_cast<std::uint32_t>(poll[k] >> lifts_loose_bit & 1);
+      const auto lifts_hard = static_cast<std::uint32_t>(poll[k] >> lifts_hard_bit & 1);
       const std::uint32_t lets_go = (loose & lifts_loose) | ((loose ^ 1) & hard & lifts_hard);
       line[first + k] = here;
       place[first + k] = at;
@@ -166,9 +167,9 @@ struct Arrivals {
   std::int32_t carried_off = 0;
   for (int first = 0; first < count; first += side_by_side) {
     const std::int32_t lanes = count - first;
+    ERG_EACH(i, side_by_side) all.line[first + i] = list[first + i];
     ERG_EACH(i, side_by_side) {
       const int k = first + i;
-      all.line[k] = list[k];
       const std::int32_t column = offset + all.line[k];
       all.place[k] = origin + (column < width ? column : column - width) * step_u;
       all.snow[k] = words[2 * all.place[k]];
@@ -339,9 +340,19 @@ void leave_grid(const SnowPlanes& planes, SnowStrip& strip) {
   }
 }
 
-/// One sub-sweep of a strip.
-void fly(const SnowPlanes& given, const SnowSweep& sweep, SnowStrip& strip) {
+void poll_all(const SnowPlanes& planes, SnowStrip& strip) {
+  for (int block = 0; block < planes.length; block += planes.sweeps) {
+    for (int number = 0; number < planes.sweeps; ++number) {
+      const int list = block + number;
+      strip.poll_counts[list] =
+          poll(planes, planes.draws[number], block, strip, 0, strip.lines, false, strip.polls + list * snow_strip_list);
+    }
+  }
+}
+
+void fly(const SnowPlanes& given, int number, SnowStrip& strip) {
   const SnowPlanes planes = given;
+  const SnowSweep& sweep = planes.draws[number];
   alignas(64) std::uint64_t row_words[64] = {};
   alignas(64) std::uint16_t polls[snow_strip_list] = {};
   for (int row = 0; row < planes.length && (sweep.polls || strip.anything_aloft()); ++row) {
@@ -353,8 +364,9 @@ void fly(const SnowPlanes& given, const SnowSweep& sweep, SnowStrip& strip) {
     }
     if (row == block) {
       ERG_EACH(k, planes.sweeps) row_words[k] = flight_row_word(sweep.key, row + k);
-      const int count = sweep.polls ? poll(planes, sweep, block, strip, 0, strip.lines, false, polls) : 0;
-      lift(planes, block, row_words, polls, count, strip);
+      const int list = block + number;  // of a block and sub-sweep
+      if (sweep.polls)
+        lift(planes, block, row_words, strip.polls + list * snow_strip_list, strip.poll_counts[list], strip);
     } else if (crossing >= 0) {  // what was in the air is lost; only now may a slab of this line lift in the block
       const int count = poll(planes, sweep, block, strip, crossing, crossing + 1, true, polls);
       lift(planes, block, row_words, polls, count, strip);

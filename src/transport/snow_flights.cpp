@@ -16,6 +16,7 @@ void SnowSolver::fly_in_sweeps() {
   planes_.sweeps = executor_->sub_sweeps();
   random_.draw_sweeps(key_, planes_.sweeps);
   random_.draw_lines(frame_, key_, longest_mean_hop_);
+  planes_.draws = random_.sweeps.data();
   planes_.reach = random_.reach;
   planes_.offsets = random_.offsets.data();
   planes_.closes = random_.lines_close(frame_, planes_.torus ? Boundary::torus : Boundary::open);
@@ -25,9 +26,9 @@ void SnowSolver::fly_in_sweeps() {
   for_rows([this](int y) { kernels_.runs(planes_, y); });
   make_strips();
   for_strips([this](SnowStrip& strip) {  // lines that close on themselves bring down all that is in the air
-    const auto sweeps = static_cast<std::size_t>(planes_.sweeps);
-    for (std::size_t number = 0; number < sweeps || strip.anything_aloft(); ++number) {
-      kernels_.fly(planes_, random_.sweeps[random_.sweep_number(number)], strip);
+    kernels_.poll(planes_, strip);
+    for (int number = 0; number < planes_.sweeps || strip.anything_aloft(); ++number) {
+      kernels_.fly(planes_, static_cast<int>(random_.sweep_number(static_cast<std::size_t>(number))), strip);
     }
   });
   if (!planes_.closes) bring_down();
@@ -90,7 +91,7 @@ void SnowSolver::lay_out_ahead() {
   least_moved_.resize(count);
   moved_.assign(count * static_cast<std::size_t>(planes.pitch) + beyond, 0);
   for (int rows = 1; rows <= reach; ++rows) {
-    const int least = static_cast<int>(rows * random_.drift / frame_.length);
+    const int least = static_cast<int>(rows * random_.drift / frame_.length) % frame_.width;
     least_moved_[static_cast<std::size_t>(rows)] = least;
     for (int row = 0; row < frame_.length; ++row) {
       const int moved = wrap(planes.offsets[row + rows + 1] - planes.offsets[row + 1] - least, frame_.width);
@@ -114,8 +115,9 @@ void SnowSolver::make_strips() {
   const int shares = turns * executor_->threads();
   const int lines = ((frame_.width + shares - 1) / shares + 15) / 16 * 16;
   const auto count = static_cast<std::size_t>((frame_.width + lines - 1) / lines);
-  lists_.assign(count * rows * snow_strip_list, 0);
-  counts_.assign(count * rows, 0);
+  const auto polls = static_cast<std::size_t>(frame_.length + planes_.sweeps);
+  lists_.assign(count * (rows + polls) * snow_strip_list, 0);
+  counts_.assign(count * (rows + polls), 0);
   strips_.assign(count, {});
   for (std::size_t k = 0; k < count; ++k) {
     SnowStrip& strip = strips_[k];
@@ -124,8 +126,10 @@ void SnowSolver::make_strips() {
     strip.loads = aloft_.data() + strip.first;
     strip.width = frame_.width;
     strip.ring_mask = static_cast<std::uint32_t>(rows - 1);
-    strip.lists = lists_.data() + k * rows * snow_strip_list;
-    strip.counts = counts_.data() + k * rows;
+    strip.lists = lists_.data() + k * (rows + polls) * snow_strip_list;
+    strip.counts = counts_.data() + k * (rows + polls);
+    strip.polls = strip.lists + rows * snow_strip_list;
+    strip.poll_counts = strip.counts + rows;
   }
 }
 
@@ -151,7 +155,7 @@ void SnowSolver::bring_down() {
           if (strip.load(row, line) != 0) strip.put(row, line, std::exchange(strip.load(row, line), 0));
         }
       }
-      kernels_.fly(planes_, random_.sweeps[random_.sweep_number(number)], strip);
+      kernels_.fly(planes_, static_cast<int>(random_.sweep_number(number)), strip);
     });
   }
 }

@@ -118,20 +118,21 @@ constexpr int stretch = 128;  // cells that look ahead together; those beyond th
   const auto count = static_cast<std::int16_t>(rows);
   if (planes.along_x) {
     const int on = x + (planes.step_v > 0 ? rows : -rows);
-    const int least = planes.moved != nullptr ? planes.least_moved[rows] : 0;
-    const int there = planes.step_u > 0 ? (y + least) % planes.ny : (y - least % planes.ny + planes.ny) % planes.ny;
-    if (planes.moved == nullptr) return look_ahead(row_of(there) + on, height, count, run);
-    const int beside = planes.step_u > 0 ? (there + 1) % planes.ny : (there + planes.ny - 1) % planes.ny;
+    if (planes.moved == nullptr) return look_ahead(row_of(y) + on, height, count, run);
+    const int least = y + (planes.step_u > 0 ? planes.least_moved[rows] : planes.ny - planes.least_moved[rows]);
+    const int there = least < planes.ny ? least : least - planes.ny;
+    const int next = there + (planes.step_u > 0 ? 1 : planes.ny - 1);
+    const int beside = next < planes.ny ? next : next - planes.ny;
     return look_aside(row_of(there) + on, row_of(beside) + on, planes.moved + planes.place(x, rows), height, count,
                       run);
   }
   const int row = planes.step_v > 0 ? y : planes.ny - 1 - y;
   if (!planes.torus && row + rows >= planes.length) return;
-  const int there = (row + rows) % planes.length;
+  const int on = row + rows < planes.length ? row + rows : (row + rows) % planes.length;
   const int moved = planes.offsets[row + rows + 1] - planes.offsets[row + 1];
   const int columns = moved < 0 ? moved + planes.width : moved;
-  look_ahead(row_of(planes.step_v > 0 ? there : planes.ny - 1 - there) + x + (planes.step_u > 0 ? columns : -columns),
-             height, count, run);
+  look_ahead(row_of(planes.step_v > 0 ? on : planes.ny - 1 - on) + x + (planes.step_u > 0 ? columns : -columns), height,
+             count, run);
 }
 
 /// Rows until higher ground, or `unhindered_run` where there is none within reach. Beyond an open edge there is none.
@@ -246,7 +247,8 @@ void strength(const SnowPlanes& planes, int y, float* __restrict strength) {
 }  // namespace
 
 extern const SnowKernels snow_kernels;
-const SnowKernels snow_kernels{rates, runs, scatter, rest, strength, fly, steep, add_row, add_sums, add_up, average};
+const SnowKernels snow_kernels{rates, runs,  scatter, rest,     strength, poll_all,
+                               fly,   steep, add_row, add_sums, add_up,   average};
 
 }  // namespace ERG_KERNELS
 }  // namespace erg

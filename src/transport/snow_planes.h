@@ -67,8 +67,9 @@ struct SnowPlanes {
                                         ///< rows; null where lines do not drift
 
   // Flights.
-  int sweeps = 8;     ///< that poll
-  double inflow = 0;  ///< slabs a line and step, over open edges
+  int sweeps = 8;                    ///< that poll
+  const SnowSweep* draws = nullptr;  ///< of each sub-sweep (StepRandom)
+  double inflow = 0;                 ///< slabs a line and step, over open edges
   SnowRests rests;
   bool closes = true;                    ///< each line goes on as itself behind the torus edge, or not at all
   std::uint64_t* handed_over = nullptr;  ///< loads that go on in another line: as SnowStrip::loads, of all lines
@@ -121,6 +122,10 @@ struct SnowStrip {
   std::int64_t slabs_out = 0;
   bool hands_over = false;  ///< slabs have gone on in other lines
 
+  // Polls, for each block of as many rows as there are sub-sweeps and each of these.
+  std::uint16_t* polls = nullptr;  ///< `snow_strip_list` places
+  int* poll_counts = nullptr;
+
   // Slabs in the air wait in a ring of rows.
   std::uint64_t* loads = nullptr;  ///< for each of its rows those of all lines of the grid, from the strip's first on
   int width = 0;                   ///< of the grid
@@ -160,8 +165,10 @@ struct SnowKernels {
   void (*rest)(const SnowPlanes& planes, int y);
   void (*strength)(const SnowPlanes& planes, int y, float* strength);
 
-  /// One sub-sweep of a strip.
-  void (*fly)(const SnowPlanes& planes, const SnowSweep& sweep, SnowStrip& strip);
+  /// Draws the polls of all sub-sweeps, which hang on nothing that flights change.
+  void (*poll)(const SnowPlanes& planes, SnowStrip& strip);
+  /// One sub-sweep of a strip, by its number.
+  void (*fly)(const SnowPlanes& planes, int number, SnowStrip& strip);
   /// The edges between `count` cells (64 at most) from `a` on and those from `b` on over which loose snow might slide,
   /// as bits.
   std::uint64_t (*steep)(const SnowPlanes& planes, std::size_t a, std::size_t b, int count);
