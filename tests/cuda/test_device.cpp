@@ -14,14 +14,14 @@ namespace {
 class CudaDevice : public testing::Test {
  protected:
   void SetUp() override {
-    const auto executor = make_cuda_executor({.name = "cuda", .threads = 1}, cuda_api(), cuda_entry);
+    const auto executor = make_cuda_executor({.name = "cuda", .threads = 1}, cuda_api(), sim::cuda_entry);
     if (executor->name() != "cuda") GTEST_SKIP() << executor->take_notice();
   }
 };
 
 TEST_F(CudaDevice, GivesTheSameBitsAsThreads) {
   for (const Case& scene : slab_cases()) {
-    const auto executor = make_cuda_executor(scene.options(), cuda_api(), cuda_entry);
+    const auto executor = make_cuda_executor(scene.options(), cuda_api(), sim::cuda_entry);
     expect_same_as_threads(scene, *executor);
   }
 }
@@ -31,7 +31,7 @@ TEST_F(CudaDevice, GivesTheSameBitsOnDevelopedDunes) {
     if (!World{.model = model.info.key}.moves_slabs()) continue;
     for (const double bearing : {270.0, 240.0, 225.0}) {
       const Case scene{model.info.key, {.model = model.info.key, .extent = {700, 520}, .wind = {bearing, 5}}, 0, 60};
-      const auto executor = make_cuda_executor(scene.options(), cuda_api(), cuda_entry);
+      const auto executor = make_cuda_executor(scene.options(), cuda_api(), sim::cuda_entry);
       expect_same_as_threads(scene, *executor);
     }
   }
@@ -41,7 +41,7 @@ TEST_F(CudaDevice, GivesTheSameBitsForGrains) {
   std::vector<Case> scenes = grain_cases();
   scenes.push_back({"large", {.model = "grains", .extent = {517, 390}, .wind = {240, 7}, .sand = 40}, 1000, 8});
   for (const Case& scene : scenes) {
-    const auto executor = make_cuda_executor(scene.options(), cuda_api(), cuda_entry);
+    const auto executor = make_cuda_executor(scene.options(), cuda_api(), sim::cuda_entry);
     expect_same_as_threads(scene, *executor);
   }
 }
@@ -58,7 +58,7 @@ TEST_F(CudaDevice, GivesTheSameBitsForSnow) {
     scenes.push_back(large);
   }
   for (const Case& scene : scenes) {
-    const auto executor = make_cuda_executor(scene.options(), cuda_api(), cuda_entry);
+    const auto executor = make_cuda_executor(scene.options(), cuda_api(), sim::cuda_entry);
     expect_same_as_threads(scene, *executor);
   }
 }

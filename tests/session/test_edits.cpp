@@ -1,6 +1,7 @@
 // Painting, undo, changes in a run, failures: through the worker.
 #include <gtest/gtest.h>
 
+#include "models/slab/terrain_heights.h"
 #include "session/runner.h"
 #include "small_config.h"
 

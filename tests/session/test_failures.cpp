@@ -24,7 +24,7 @@ std::atomic<bool> begin_fails{false};
 /// Werner's model on a machine whose memory gives out: half way through a step, on the last thread of the executor.
 class Faulty : public SlabModel {
  public:
-  explicit Faulty(ParameterValues values) : SlabModel({}, std::move(values)) {}
+  explicit Faulty(const SlabValues& values) : SlabModel({}, values) {}
 
   void begin(Terrain& terrain) override {
     if (begin_fails) throw std::runtime_error("no memory to begin with");
@@ -45,7 +45,7 @@ class Faulty : public SlabModel {
 Config faulty_config() {
   static const bool added = [] {
     ModelType type = slab_model_type({.key = "faulty", .title = "Faulty"}, {});
-    type.make = [](const ParameterValues& values) { return std::make_unique<Faulty>(values); };
+    type.make = [](const ParameterValues& values) { return std::make_unique<Faulty>(slab_binding({}).read(values)); };
     add_model(std::move(type));
     return true;
   }();

@@ -10,8 +10,6 @@
 namespace erg::test {
 
 using session::SetupRow;
-using sim::season_hold_parameter;
-using sim::season_spread_parameter;
 using ui::make_setup_panel;
 using ui::make_wind_panel;
 

@@ -5,7 +5,6 @@
 
 namespace erg::test {
 
-using sim::season_snowfall_parameter;
 using ui::make_temperature_panel;
 using ui::make_wind_panel;
 
