@@ -6,7 +6,7 @@
 
 #include "core/errors.h"
 #include "core/surface_range.h"
-#include "picture/marks.h"
+#include "picture/annotations.h"
 
 namespace erg::render {
 

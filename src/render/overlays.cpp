@@ -6,8 +6,8 @@
 
 #include "core/number_text.h"
 #include "core/units.h"
+#include "picture/annotations.h"
 #include "picture/label.h"
-#include "picture/marks.h"
 
 namespace erg::render {
 
@@ -23,7 +23,7 @@ namespace {
 constexpr int margin = 18;
 constexpr int bar_width = 16;
 constexpr int least_side = 200;  // pixels: below, nothing is written
-constexpr double text_size = picture::mark_text_size;
+constexpr double text_size = picture::annotation_text_size;
 constexpr Colour paper{0.98f, 0.97f, 0.95f};
 constexpr Colour ink{0.13f, 0.12f, 0.11f};
 

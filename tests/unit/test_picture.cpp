@@ -8,8 +8,8 @@
 #include "core/errors.h"
 #include "io/formats/legend.h"
 #include "io/formats/png_reader.h"
+#include "picture/annotations.h"
 #include "picture/label.h"
-#include "picture/marks.h"
 #include "temporary_folder.h"
 
 namespace erg {

@@ -5,8 +5,8 @@
 
 #include "core/number_text.h"
 #include "forcing/bearing.h"
+#include "picture/annotations.h"
 #include "picture/label.h"
-#include "picture/marks.h"
 
 namespace erg::io {
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr Colour paper{0.965f, 0.955f, 0.935f};
 constexpr Colour ink{0.20f, 0.18f, 0.16f};
-constexpr double text_size = picture::mark_text_size;
+constexpr double text_size = picture::annotation_text_size;
 constexpr int margin = 14;
 
 // Draws arrow and bearing at the right edge; returns the first pixel used.

@@ -1,4 +1,4 @@
-#include "picture/marks.h"
+#include "picture/annotations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +62,8 @@ int draw_scale_bar(RgbImage& image, int left, int baseline, double longest, doub
     }
   }
   const std::string text = length_text(length);
-  draw_label(image, text, left + pixels + 8, baseline, mark_text_size, colour);
-  return left + pixels + 8 + label_width(text, mark_text_size);
+  draw_label(image, text, left + pixels + 8, baseline, annotation_text_size, colour);
+  return left + pixels + 8 + label_width(text, annotation_text_size);
 }
 
 }  // namespace erg::picture

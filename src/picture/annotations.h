@@ -1,4 +1,4 @@
-// Marks on pictures: scale bars, arrows, and the words beside them.
+// Annotations of pictures: scale bars, arrows, and the words beside them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace erg::picture {
 
-inline constexpr double mark_text_size = 17;  ///< pixels: the height of a line beside a mark
+inline constexpr double annotation_text_size = 17;  ///< pixels: the height of a line beside an arrow or a bar
 
 /// "2.5", "1e-06": at most six digits.
 std::string number_text(double value);
