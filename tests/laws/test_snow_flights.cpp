@@ -68,7 +68,7 @@ std::uint64_t hash_after_steps(InstructionSet instructions, const std::string& e
         std::min(terrain.mobile()[cell] * static_cast<int>(cell % 3) / 2, terrain.mobile()[cell]);
     snow_layer(fields, SnowLayer::bonded)[cell] = static_cast<float>(terrain.mobile()[cell] - loose);
   }
-  SnowStep snow{.law = rough_law(), .shadow_fall = 5, .shows_strength = true};
+  SnowStep snow{.law = rough_law(), .radii = {}, .shadow_fall = 5, .shows_strength = true};
   SnowSolver solver(instructions);
   const auto executor = make_executor({.name = executor_name, .threads = 2, .sweeps = 4});
   for (std::uint64_t step = 0; step < 5; ++step) {
