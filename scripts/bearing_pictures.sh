@@ -16,9 +16,9 @@ barchans=()
 for spread in 0 10; do
   for bearing in 225 250 270 285 300 315 330; do
     picture=$work/barchan_${spread}_$bearing.png
-    draw "$picture" barchans --size 768x768 --steps 256 --set nx=384 --set ny=384 --set scene.kind=cone --set sand=0 \
+    draw "$picture" barchans --size 768x768 --steps 192 --set nx=384 --set ny=384 --set scene.kind=cone --set sand=0 \
       --set scene.height=12 --set scene.radius=36 --set "wind.bearing=$bearing" --set "wind.spread=$spread"
-    # The dune has gone some 130 cells; a cell is two points.
+    # The dune has gone some 110 cells; a cell is two points.
     convert "$picture" -rotate $((270 - bearing)) +repage -gravity center -crop 220x200+260+0 +repage "$picture"
     barchans+=(-label "$bearing, spread $spread" "$picture")
   done
