@@ -2,9 +2,9 @@
 # All that a change is held to, in parts that have a build of their own each: scripts/ci.sh [PART...]
 #   lint   format of all files, clang-tidy
 #   debug  without optimisation: the golden hashes are the same
-#   asan   addresses, leaks, undefined behaviour: the unit tests
+#   asan   addresses, leaks, undefined behaviour: the unit tests, compiled by clang, which is quicker at it
 #   tsan   threads: the tests of the window's worker
-#   clang  a second compiler: it takes the whole program, and the golden hashes are the same
+#   clang  a second compiler: the golden hashes are the same (`lint` reads the whole program with its warnings)
 #   test   scripts/test.sh, the release build and every test; its line "N passed, N failed" comes last
 # Without names it does all of them, whether or not one fails, and fails if one did. scripts/sanitize.sh does more.
 set -euo pipefail
@@ -33,7 +33,7 @@ part_lint() { scripts/lint.sh; }
 part_debug() { build debug test_golden && run_tests debug test_golden; }
 part_asan() { build asan test_unit && run_tests asan test_unit; }
 part_tsan() { build tsan test_studio && run_tests tsan test_studio; }
-part_clang() { build clang erg test_golden && run_tests clang test_golden; }
+part_clang() { build clang test_golden && run_tests clang test_golden; }
 part_test() { scripts/test.sh; }
 
 parts=(lint debug asan tsan clang test)

@@ -6,6 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/lib/prepare.sh
 
 install_missing
+install_missing scripts/developer_packages.txt  # clang, for asan
 
 # Builds a preset's tests of these folders and runs those whose names fit.
 check() {
