@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "models/snow/snow_machine.h"
+#include "models/snow/snow_solver.h"
 #include "sim/make_executor.h"
 #include "sim/simulation.h"
 #include "world.h"
@@ -58,30 +58,23 @@ std::uint64_t hash_after_steps(InstructionSet instructions, const std::string& e
   const World world = drifting(250);
   Terrain terrain = world.strewn();
   raise_rocks(terrain, 60);
-  const Extent extent = terrain.extent();
-  for (const char* key : {"age", "landed", "loose", "bonded"}) {
+  std::vector<Field>& fields = terrain.edit_fields();
+  for (const char* key : {"loose", "bonded", "age", "landed", "strength"}) {
     FieldInfo info;
     info.key = key;
-    terrain.edit_fields().push_back({info, Grid<float>(extent)});
+    fields.push_back({info, Grid<float>(terrain.extent())});
   }
-  std::vector<Field>& fields = terrain.edit_fields();
-  SnowLayers layers;
-  layers.age = fields[0].values.cells();
-  layers.landed = fields[1].values.cells();
-  layers.shown_loose = fields[2].values.cells();
-  layers.shown_bonded = fields[3].values.cells();
-  for (std::size_t cell = 0; cell < extent.cells(); ++cell) {
-    layers.loose.push_back(terrain.mobile()[cell] * static_cast<int>(cell % 3) / 2);
+  for (std::size_t cell = 0; cell < terrain.mobile().size(); ++cell) {
+    const std::int32_t loose =
+        std::min(terrain.mobile()[cell] * static_cast<int>(cell % 3) / 2, terrain.mobile()[cell]);
+    snow_layer(fields, SnowLayer::bonded)[cell] = static_cast<float>(terrain.mobile()[cell] - loose);
   }
-  for (std::size_t cell = 0; cell < extent.cells(); ++cell) {
-    layers.loose[cell] = std::min(layers.loose[cell], terrain.mobile()[cell]);
-  }
-  SnowLaw law = rough_law();
-  SnowMachine machine(instructions);
-  const auto executor = sim::make_executor({.name = executor_name, .threads = 2, .sweeps = 4});
+  SnowStep snow{.law = rough_law(), .radii = {3, 10}, .shadow_fall = 5, .shows_strength = true};
+  const auto executor =
+      sim::make_executor({.name = executor_name, .threads = 2, .sweeps = 4, .instructions = instructions});
   for (std::uint64_t step = 0; step < 5; ++step) {
-    law.now += law.step_hours;
-    machine.step(terrain, layers, law, {3, 10}, 5.0, {250, 14}, {3, step}, *executor);
+    snow.law.now += snow.law.step_hours;
+    drift_snow(*executor, terrain, snow, {250, 14}, {3, step});
   }
   EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
   return state_hash(terrain);

@@ -252,7 +252,7 @@ TEST(Window, IsAsLargeAsSuitsTheMonitorThatItIsMovedTo) {
   const TemporaryFolder folder;
   const Display display("2400x2160x24");
   split_screen(display.name());
-  DesktopHand hand(display, folder.path(), {write_small_land(folder.path()), "--width", "1000", "--height", "760"});
+  DesktopHand hand(display, folder.path(), {write_small_terrain(folder.path()), "--width", "1000", "--height", "760"});
   hand.wait_for("RUN/step");
   const auto letters_are = [&](const std::string& place, double times, double usual) {
     hand.move_window(place);

@@ -250,7 +250,7 @@ std::string barchan_fields(const ValidationOptions& options) {
     for (const double spread : {natural_spread, 0.0}) {
       Sample straight_sd;
       Sample straight_speed;
-      for (const double bearing : {270.0, 255.0, 240.0, 225.0}) {
+      for (const double bearing : {270.0, 250.0, 225.0}) {
         Config config = thesis_config(field.preset);
         for (const std::string& assignment : {"grid.nx=" + side, "grid.ny=" + side, "run.steps=" + steps,
                                               std::string("parameters.polling=") + field.polling}) {

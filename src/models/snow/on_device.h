@@ -1,12 +1,12 @@
-// Drifting, bonding snow on a device, and its time steps there: the phases of models/snow/snow_machine.h as kernels.
+// Drifting, bonding snow on a device, and its time steps there: the phases of models/snow/on_processor.h as kernels.
 #pragma once
 
 #include <cstdint>
 
 #include "kernels/frame_layers.h"
 #include "models/snow/plan.h"
-#include "models/snow/snow_draws.h"
 #include "models/snow/snow_solver.h"
+#include "models/snow/snow_step_random.h"
 
 namespace erg {
 
@@ -43,7 +43,7 @@ class SnowOnDevice : public SnowSolver {
   std::int32_t base_ = 0;  // lowest bedrock
   bool relief_ = false;
   bool strength_shown_ = false;  // since the load
-  SnowDraws draws_;
+  StepRandom draws_;
 
   FrameLayers layers_;
   FrameLayer bedrock_;

@@ -52,9 +52,9 @@ struct SnowPlan {
   float along = 0;  ///< slope = along (next row - row before) + across (next column - column before)
   float across = 0;
 
-  // Flights (SnowDraws).
+  // Flights (StepRandom).
   SnowCell* cells = nullptr;
-  std::int16_t* over = nullptr;  ///< SnowWeather
+  std::int16_t* over = nullptr;  ///< TransportRates
   const int* offsets = nullptr;
   const SnowSweep* sweeps = nullptr;
   int polling = 16;     ///< sub-sweeps that poll

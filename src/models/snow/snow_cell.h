@@ -139,7 +139,7 @@ ERG_CELL_RULE float impact_share(const SnowLaw& law, float rise) {
 }
 
 /// What a step's weather makes of a cell, packed so that a flight reads it at once. Fixed for the step.
-struct SnowWeather {
+struct TransportRates {
   std::uint32_t chances;  ///< to lift, of 65536: of loose snow in the lower half, of bonded snow in the upper
   std::uint32_t hops;  ///< mean hop in 1/64 rows, 0 where every slab stays; upper half: abrasion power, a short float
   std::int32_t over;   ///< surface over the smoothed surface, 1/16 slabs, at most `highest_over` either way
@@ -165,7 +165,7 @@ struct SnowPlace {
 };
 
 /// `rows`: of the wind's frame for one cell along the wind (the cosine of the wind's angle with the grid).
-ERG_CELL_RULE SnowWeather snow_weather(const SnowLaw& law, const SnowPlace& place, float rows) {
+ERG_CELL_RULE TransportRates transport_rates(const SnowLaw& law, const SnowPlace& place, float rows) {
   const float speed = local_wind(law, place.level - place.around, place.slope);
   const std::uint32_t loose = lift_chance(law, speed, place.rest);
   const float excess = bonded_excess(law, speed);
@@ -175,13 +175,13 @@ ERG_CELL_RULE SnowWeather snow_weather(const SnowLaw& law, const SnowPlace& plac
   const int hop_64 = static_cast<int>(hop_cells(law, speed) * rows * 64 + 0.5f);
   const float over = (static_cast<float>(place.surface) - place.level) * 16;
   const float bounded = over < highest_over ? (over > -highest_over ? over : -highest_over) : highest_over;
-  SnowWeather weather{};
+  TransportRates rates{};
   const std::uint32_t lit = place.dark - 1;  // all ones where light
-  weather.chances = (loose | hard << 16) & lit;
-  weather.hops =
+  rates.chances = (loose | hard << 16) & lit;
+  rates.hops =
       (static_cast<std::uint32_t>(hop_64 > 1 ? hop_64 : 1) & lit) | short_float(abrasion_power(law, excess, hardness));
-  weather.over = static_cast<std::int32_t>(bounded);
-  return weather;
+  rates.over = static_cast<std::int32_t>(bounded);
+  return rates;
 }
 
 /// Rows of a hop. Hops of one wind differ: half to one and a half times the mean, rounded at random; at least one.
@@ -228,16 +228,15 @@ ERG_CELL_RULE float strength_noise(const SnowLaw& law, int x, int y, int height,
   const int column = static_cast<int>(u);
   const int row = static_cast<int>(v);
   const int layer = static_cast<int>(w);
-  float parts[8];
-  for (int corner = 0; corner < 8; ++corner) {
-    const float share_u = corner & 1 ? u - static_cast<float>(column) : 1 - (u - static_cast<float>(column));
-    const float share_v = corner & 2 ? v - static_cast<float>(row) : 1 - (v - static_cast<float>(row));
-    const float share_w = corner & 4 ? w - static_cast<float>(layer) : 1 - (w - static_cast<float>(layer));
-    parts[corner] =
-        share_u * share_v * share_w * point(column + (corner & 1), row + (corner >> 1 & 1), layer + (corner >> 2));
-  }
-  float sum = 0;
-  for (const float part : parts) sum += part;
+  const float share_u = u - static_cast<float>(column);
+  const float share_v = v - static_cast<float>(row);
+  const float share_w = w - static_cast<float>(layer);
+  const auto part = [&](int right, int up, int deep) {
+    return (right ? share_u : 1 - share_u) * (up ? share_v : 1 - share_v) * (deep ? share_w : 1 - share_w) *
+           point(column + right, row + up, layer + deep);
+  };
+  const float sum = part(0, 0, 0) + part(1, 0, 0) + part(0, 1, 0) + part(1, 1, 0) + part(0, 0, 1) + part(1, 0, 1) +
+                    part(0, 1, 1) + part(1, 1, 1);
   const float stretched = 0.5f + 2.0f * (sum - 0.5f);
   return stretched < 0 ? 0 : (stretched > 1 ? 1 : stretched);
 }

@@ -1,343 +1,378 @@
-// Kernels of snow in flight, part of snow_kernels.inl: slabs lift, fly and come down. What slabs do is random, so no
-// branch of the inner loops hangs on it where a choice between two numbers will do.
+// Kernels of snow in flight, part of snow_kernels.inl: a strip of lines goes down the wind row by row. In each row
+// slabs lift from polled cells; then those come down that are in the air there. All lines of a row are independent of
+// each other, so their random words, rests and hops are vectors' work; what is drawn for them is then written one after
+// another. What slabs do is random, so no branch of the inner loops hangs on it where a choice between two numbers will
+// do.
 
 constexpr int side_by_side = 16;  // lanes that are worked on together; those too many do no harm
 
 // --- lifting ---
 
-void draw_rows(std::uint32_t sweep_key, int first_row, std::uint64_t* __restrict row_words) {
-  ERG_EACH(i, snow_window) row_words[i] = flight_row_word(sweep_key, first_row + i);
+// A polled cell: its line and its row in the block, and whether loose snow would lift there, and bonded snow.
+constexpr int polled_row_bit = 8;
+constexpr int lifts_loose_bit = 14;
+constexpr int lifts_hard_bit = 15;
+
+/// Polls one cell of each of the lines from `begin` to before `end` in a block of as many rows as there are sub-sweeps,
+/// and lists those that might let a slab go; returns how many. On an open grid only those whose line has, or has not,
+/// crossed the side since the first row of the block.
+[[gnu::noinline]] int poll(const SnowPlanes& planes, const SnowSweep& sweep, int block, const SnowStrip& strip,
+                           int begin, int end, bool crossed, std::uint16_t* list) {
+  constexpr int lanes = 64;
+  alignas(64) std::uint32_t polled[lanes];
+  const std::uint32_t* __restrict polled_row = sweep.polled_row;
+  const std::uint32_t* __restrict chances = planes.chances;
+  const int* __restrict offsets = planes.offsets + 1 + block;
+  const std::uint32_t block_key = snow_poll_key(sweep, block);
+  const std::uint32_t sweep_key = sweep.key;
+  const std::int32_t width = planes.width;
+  const std::int32_t step_u = planes.step_u;
+  const std::int32_t step_v = planes.step_v;
+  const std::int32_t origin = planes.origin + block * step_v;
+  const std::int32_t rows = planes.length - block;
+  const std::int32_t open = planes.torus ? 0 : 1;
+  const std::int32_t wanted = crossed ? 1 : 0;
+  int count = 0;
+  for (int first = begin; first < end; first += lanes) {
+    const std::int32_t first_line = strip.first + first;
+    const std::int32_t lines = end - first;
+    ERG_EACH(i, lanes) {
+      const std::uint32_t word = snow_poll_word(block_key, static_cast<std::uint32_t>(first_line + i));
+      const auto row = static_cast<std::int32_t>(polled_row[static_cast<std::int32_t>(word >> 24)]);
+      const std::int32_t inside = (row < rows ? 1 : 0) & (i < lines ? 1 : 0);
+      const std::int32_t there = row & -inside;
+      const std::int32_t line = first_line + (i & -inside);
+      const std::int32_t gone = offsets[there] + line;
+      const std::int32_t column = gone < width ? gone : gone - width;
+      const std::int32_t began = offsets[0] + line < width ? offsets[0] + line : offsets[0] + line - width;
+      const std::uint32_t chance = chances[origin + column * step_u + there * step_v];
+      const std::uint32_t drawn = snow_poll_draw(word, sweep_key);
+      const std::uint32_t lifts =
+          (drawn < (chance & 0xffff) ? 1u << lifts_loose_bit : 0u) | (drawn < chance >> 16 ? 1u << lifts_hard_bit : 0u);
+      const std::int32_t listed = inside & (((column < began ? 1 : 0) & open) == wanted ? 1 : 0);
+      polled[i] = static_cast<std::uint32_t>(first + i + (there << polled_row_bit)) |
+                  (lifts & -static_cast<std::uint32_t>(listed));
+    }
+    for (const std::uint32_t poll : polled) {
+      list[count] = static_cast<std::uint16_t>(poll);
+      count += poll >> lifts_loose_bit != 0 ? 1 : 0;
+    }
+  }
+  return count;
 }
 
-/// Slabs that lift and hop: lift_chance_of, without_slab, snow_line_word and snow_hop in lanes of 32 bits. Which cells
-/// let one go was drawn before; here is seen what snow they have.
-void lift(const SnowPolls& polls, const SnowLines& lines, const SnowAir& air, SnowLifts& lifts) {
-  alignas(64) std::int32_t cell[snow_lines];
-  alignas(64) std::uint32_t snow_left[snow_lines];
-  // A cell's two words.
-  auto* const words = reinterpret_cast<std::uint32_t*>(lines.cells);
-  const int* __restrict places = lines.places + polls.first_row;
-  const std::uint64_t* __restrict row_words = polls.row_words;
-  const auto first_line = static_cast<std::uint64_t>(lines.first_line);
-  const std::int32_t first_row = polls.first_row;
-  const std::int32_t next_line = lines.next_line;
-  const std::int32_t windows = air.windows - 1;
-  const std::int32_t count = polls.count;
-  std::int32_t lifted = 0;
+/// Slabs lift from polled cells of a block and hop: lift_chance_of, without_slab, snow_line_word and snow_hop in lanes
+/// of 32 bits. All of a block may lift before any comes down in it: neither changes what the other reads.
+[[gnu::noinline]] void lift(const SnowPlanes& planes, int block, const std::uint64_t* __restrict row_words,
+                            const std::uint16_t* polls, int count, SnowStrip& strip) {
+  alignas(64) std::int32_t line[snow_strip_list];
+  alignas(64) std::int32_t place[snow_strip_list];
+  alignas(64) std::uint32_t left[snow_strip_list];  // of the cell's snow
+  alignas(64) std::uint32_t goes[snow_strip_list];
+  alignas(64) std::int32_t ring_row[snow_strip_list];
+  alignas(64) std::uint32_t share[snow_strip_list];
+  auto* const words = reinterpret_cast<std::uint32_t*>(planes.cells);  // a cell's two
+  const SnowStrip air = strip;                                         // a copy, which no store can change
+  const int* __restrict offsets = planes.offsets + 1 + block;
+  const std::int32_t width = planes.width;
+  const std::int32_t step_u = planes.step_u;
+  const std::int32_t step_v = planes.step_v;
+  const std::int32_t origin = planes.origin + block * step_v;
+  const std::int32_t first_line = air.first;
   std::int32_t rows_flown = 0;
+  std::int32_t lifted = 0;
   for (int first = 0; first < count; first += side_by_side) {
-    const std::uint16_t* __restrict poll = polls.polls + first;
-    const std::uint32_t* __restrict found = words;
-    std::int32_t* __restrict at = cell + first;
-    std::uint32_t* __restrict left = snow_left + first;
-    std::int32_t* __restrict line = lifts.line + first;
-    std::int32_t* __restrict from = lifts.row + first;
-    std::int32_t* __restrict fall = lifts.fall + first;
-    std::int32_t* __restrict place = lifts.place + first;
-    std::int32_t* __restrict window = lifts.window + first;
-    std::uint32_t* __restrict load = lifts.load + first;
-    std::uint32_t* __restrict bit = lifts.bit + first;
+    alignas(64) std::int32_t poll[side_by_side];
     alignas(64) std::int32_t row[side_by_side];
-    alignas(64) std::uint64_t word[side_by_side];
     alignas(64) std::uint32_t way[side_by_side];
-    alignas(64) std::uint32_t goes[side_by_side];
+    alignas(64) std::uint64_t word[side_by_side];
+    const std::uint16_t* __restrict list = polls + first;
+    const std::uint32_t* __restrict found = words;
     const std::int32_t lanes = count - first;
+    ERG_EACH(k, side_by_side) poll[k] = k < lanes ? list[k] : 0;
     ERG_EACH(k, side_by_side) {
-      const std::int32_t polled = poll[k];
-      line[k] = polled & (snow_lines - 1);
-      row[k] = polled >> polled_row_bit & (snow_window - 1);
-      at[k] = places[row[k]] + line[k] * next_line;
-      const std::uint32_t snow = found[2 * at[k]];
+      const std::int32_t here = poll[k] & 0xff;
+      row[k] = poll[k] >> polled_row_bit & 0x3f;
+      const std::int32_t column = offsets[row[k]] + first_line + here;
+      const std::int32_t at = origin + (column < width ? column : column - width) * step_u + row[k] * step_v;
+      const std::uint32_t snow = found[2 * at];
       const std::uint32_t loose = (snow & 0xffff) != 0 ? 1 : 0;
       const std::uint32_t hard = snow != 0 ? 1 : 0;
-      const auto lifts_loose = static_cast<std::uint32_t>(polled >> lifts_loose_bit & 1);
-      const auto lifts_hard = static_cast<std::uint32_t>(polled >> lifts_hard_bit & 1);
-      const std::uint32_t lets_go = ((loose & lifts_loose) | ((loose ^ 1) & hard & lifts_hard)) & (k < lanes ? 1 : 0);
-      left[k] = snow - lets_go * 0x10000u - (lets_go & loose);
-      way[k] = found[2 * at[k] + 1];
-      goes[k] = lets_go;
+      const auto lifts_loose = static_cast<std::uint32_t>(poll[k] >> lifts_loose_bit & 1);
+      const auto lifts_hard = static_cast<std::uint32_t>(poll[k] >> lifts_hard_bit & 1);
+      const std::uint32_t lets_go = (loose & lifts_loose) | ((loose ^ 1) & hard & lifts_hard);
+      line[first + k] = here;
+      place[first + k] = at;
+      goes[first + k] = lets_go;
+      left[first + k] = snow - lets_go * 0x10000u - (lets_go & loose);
+      way[k] = found[2 * at + 1];
     }
-    ERG_EACH(k, side_by_side) word[k] = mix64(row_words[row[k]] + first_line + static_cast<std::uint64_t>(line[k]));
+    ERG_EACH(k, side_by_side) {
+      word[k] = mix64(row_words[row[k]] + static_cast<std::uint64_t>(first_line + line[first + k]));
+    }
     ERG_EACH(k, side_by_side) {
       const std::int32_t run = run_of(way[k]);
       const std::int32_t whole = snow_hop_rows(way[k], static_cast<std::uint32_t>(word[k]));
       const std::int32_t flown = whole < run ? whole : run;
-      from[k] = first_row + row[k];
-      const std::int32_t to = from[k] + flown;
-      const std::int32_t to_window = to / snow_window & windows;
-      fall[k] = to;
-      window[k] = to_window * snow_lines + line[k];
-      place[k] = window[k] * snow_window + (to & (snow_window - 1));
-      load[k] = -goes[k] & (short_slab + share_of_hop(flown, whole));
-      bit[k] = goes[k] << (to & (snow_window - 1));
-      rows_flown += flown & -static_cast<std::int32_t>(goes[k]);
-      lifted += static_cast<std::int32_t>(goes[k]);
+      ring_row[first + k] = air.ring_row(block + row[k] + flown);
+      share[first + k] = share_of_hop(flown, whole) & -goes[first + k];
+      rows_flown += flown & -static_cast<std::int32_t>(goes[first + k]);
+      lifted += static_cast<std::int32_t>(goes[first + k]);
     }
   }
-  for (int k = 0; k < count; ++k) words[2 * cell[k]] = snow_left[k];
-  lifts.count = count;
-  lifts.lifted = lifted;
-  lifts.rows_flown = rows_flown;
-}
-
-void launch(const SnowLifts& lifts, SnowAir& air) {
-  const SnowAir here = air;
-  for (int k = 0; k < lifts.count; ++k) {
-    here.put(lifts.place[k], lifts.load[k]);
-    here.falls[lifts.window[k]] |= lifts.bit[k];
+  strip.rows_flown += rows_flown;
+  strip.lifts += lifted;
+  for (int k = 0; k < count; ++k) {
+    words[2 * place[k]] = left[k];
+    air.put(ring_row[k], line[k], goes[k] * one_slab + share[k]);
   }
-  air.rows_flown += lifts.rows_flown;
+  if (planes.lift_counts == nullptr) return;
+  for (int k = 0; k < count; ++k) planes.lift_counts[planes.cell_at(place[k])] += static_cast<std::int32_t>(goes[k]);
 }
 
 // --- coming down ---
 
-/// Slabs that come down at the same time, each load in another line: in each round the first of a window that is in
-/// the air over its line.
+/// Loads that come down in a row, each in another line.
 struct Arrivals {
-  int count = 0;
-  alignas(64) std::int32_t line[snow_lines + side_by_side];
-  alignas(64) std::uint32_t waiting[snow_lines + side_by_side];  // rows in which something comes down, as bits
-  alignas(64) std::int32_t row[snow_lines];                      // of the window
-  alignas(64) std::int32_t from[snow_lines];                     // the load's place in the air
-  alignas(64) std::int32_t cell[snow_lines];                     // of the strip
-  alignas(64) std::uint32_t load[snow_lines];
-  alignas(64) std::uint64_t word[snow_lines];
-  alignas(64) std::uint32_t snow[snow_lines];  // of the cells before
-  alignas(64) std::uint32_t way[snow_lines];
-  alignas(64) std::uint32_t snow_left[snow_lines];  // of the cells afterwards
-  alignas(64) std::uint32_t way_left[snow_lines];
-  alignas(64) std::uint32_t rest[snow_lines];     // chance of 65536 to stay
-  alignas(64) std::uint32_t further[snow_lines];  // what is not yet decided: `strikes_bonded`, `is_crowd`
-  // Where the first slab flies on: its next load, and which bit says so. Both 0 where it does not.
-  alignas(64) std::int32_t place[snow_lines];
-  alignas(64) std::int32_t window[snow_lines];
-  alignas(64) std::uint32_t push[snow_lines];
-  alignas(64) std::uint32_t fall[snow_lines];
+  alignas(64) std::int32_t line[snow_strip_list];
+  alignas(64) std::int32_t place[snow_strip_list];
+  alignas(64) std::uint64_t word[snow_strip_list];
+  alignas(64) std::uint32_t snow[snow_strip_list];  // of the cell
+  alignas(64) std::uint32_t way[snow_strip_list];
+  alignas(64) std::uint32_t rest[snow_strip_list];       // chance of 65536 to stay
+  alignas(64) std::uint32_t snow_left[snow_strip_list];  // of the cell afterwards
+  alignas(64) std::uint32_t way_left[snow_strip_list];
+  alignas(64) std::uint32_t strikes[snow_strip_list];  // 1: on bonded snow
+  // Of the first slab of each: where it goes on, as a load; both halves 0 where it does not.
+  alignas(64) std::int32_t ring_row[snow_strip_list];
+  alignas(64) std::uint32_t flies[snow_strip_list];
+  alignas(64) std::uint32_t share[snow_strip_list];
 };
-constexpr std::uint32_t strikes_bonded = 1;
-constexpr std::uint32_t is_crowd = 2;  // more than one slab
 
-/// The number of a word's lowest bit.
-[[gnu::always_inline]] inline std::int32_t lowest_bit(std::uint32_t word) {
-  const auto alone = static_cast<float>(word & -word);
-  return static_cast<std::int32_t>(__builtin_bit_cast(std::uint32_t, alone) >> 23) - 127;
-}
-
-/// Takes the first load out of the air over each line, and looks at the cells there.
-void take_first(const SnowLines& lines, int first_row, const SnowAir& air, Arrivals& all) {
-  const std::int32_t air_place = (first_row / snow_window & (air.windows - 1)) * snow_lines * snow_window;
-  const int* __restrict places = lines.places + first_row;
-  const std::uint32_t* __restrict loads = air.loads;
-  // A cell's two words.
-  const auto* __restrict words = reinterpret_cast<const std::uint32_t*>(lines.cells);
-  const std::int32_t next_line = lines.next_line;
-  for (int first = 0; first < all.count; first += side_by_side) {
-    const std::int32_t* __restrict line = all.line + first;
-    std::uint32_t* __restrict waiting = all.waiting + first;
-    std::int32_t* __restrict row = all.row + first;
-    std::int32_t* __restrict from = all.from + first;
-    std::int32_t* __restrict cell = all.cell + first;
-    std::uint32_t* __restrict load = all.load + first;
-    std::uint32_t* __restrict snow = all.snow + first;
-    std::uint32_t* __restrict way = all.way + first;
-    ERG_EACH(k, side_by_side) {
-      const std::int32_t there = lowest_bit(waiting[k]);
-      const std::int32_t place = air_place + line[k] * snow_window + there;
-      const std::int32_t here = places[there] + line[k] * next_line;
-      row[k] = there;
-      from[k] = place;
-      cell[k] = here;
-      waiting[k] &= waiting[k] - 1;
-      load[k] = loads[place];
-      snow[k] = words[2 * here];
-      way[k] = words[2 * here + 1];
-    }
-  }
-}
-
-/// What becomes of the first slab of each load. It decides on the snow as it finds it: snow_line_word, chance_to_stay,
-/// snow_stays, snow_carried_off and snow_hop in lanes of 32 bits. What flies on to a row before `end` waits for its
-/// turn here.
-void decide(const SnowLandings& landings, const std::uint64_t* __restrict row_words, int first_row, int end,
-            Arrivals& all, SnowAir& air) {
-  const std::uint32_t rest_loose = landings.rests.loose;
-  const std::uint32_t rest_hard = landings.rests.hard;
-  const std::uint32_t rest_ground = landings.rests.ground;
-  const std::uint32_t suspension = landings.rests.suspension;
-  const std::uint32_t least_rest = landings.last ? certain : 0;
-  const auto first_line = static_cast<std::uint64_t>(landings.lines.first_line);
-  const std::int32_t windows = air.windows - 1;
-  const std::int32_t rows = end - first_row;
-  const std::int32_t count = all.count;
+/// Looks at the cells in which loads come down, and decides on the first slab of each, by the snow as it finds it:
+/// snow_line_word, chance_to_stay, snow_stays, snow_carried_off and snow_hop in lanes of 32 bits.
+[[gnu::always_inline]] inline void decide(const SnowPlanes& planes, bool last, int row, std::uint64_t row_word,
+                                          const std::uint16_t* __restrict list, int count, Arrivals& all,
+                                          SnowStrip& strip) {
+  const SnowStrip air = strip;
+  const auto* __restrict words = reinterpret_cast<const std::uint32_t*>(planes.cells);
+  const std::int32_t width = planes.width;
+  const std::int32_t step_u = planes.step_u;
+  const std::int32_t origin = planes.origin + row * planes.step_v;
+  const std::int32_t offset = planes.offsets[row + 1] + air.first;
+  const std::uint64_t first_word = row_word + static_cast<std::uint64_t>(strip.first);
+  const SnowRests rests = planes.rests;
+  const std::uint32_t least_rest = last ? certain : 0;
   std::int32_t rows_flown = 0;
   std::int32_t carried_off = 0;
   for (int first = 0; first < count; first += side_by_side) {
-    const std::int32_t* __restrict line = all.line + first;
-    const std::int32_t* __restrict row = all.row + first;
-    const std::uint32_t* __restrict load = all.load + first;
-    const std::uint32_t* __restrict snow = all.snow + first;
-    const std::uint32_t* __restrict way = all.way + first;
-    std::uint32_t* __restrict waiting = all.waiting + first;
-    std::uint64_t* __restrict word = all.word + first;
-    std::uint32_t* __restrict snow_left = all.snow_left + first;
-    std::uint32_t* __restrict way_left = all.way_left + first;
-    std::uint32_t* __restrict chance = all.rest + first;
-    std::uint32_t* __restrict further = all.further + first;
-    std::int32_t* __restrict place = all.place + first;
-    std::int32_t* __restrict window = all.window + first;
-    std::uint32_t* __restrict push = all.push + first;
-    std::uint32_t* __restrict fall = all.fall + first;
     const std::int32_t lanes = count - first;
-    ERG_EACH(k, side_by_side) word[k] = mix64(~row_words[row[k]] + first_line + static_cast<std::uint64_t>(line[k]));
-    ERG_EACH(k, side_by_side) {
-      const auto low = static_cast<std::uint32_t>(word[k]);
-      const auto high = static_cast<std::uint32_t>(word[k] >> 32);
-      const std::int32_t run = run_of(way[k]);
-      const std::uint32_t bonded = snow[k] >> 16 != 0 ? strikes_bonded : 0;
-      const std::uint32_t on_bare = bonded != 0 ? rest_hard : rest_ground;
-      const std::uint32_t on_snow = (snow[k] & 0xffff) != 0 ? rest_loose : on_bare;
+    ERG_EACH(i, side_by_side) all.line[first + i] = list[first + i];
+    ERG_EACH(i, side_by_side) {
+      const int k = first + i;
+      const std::int32_t column = offset + all.line[k];
+      all.place[k] = origin + (column < width ? column : column - width) * step_u;
+      all.snow[k] = words[2 * all.place[k]];
+      all.way[k] = words[2 * all.place[k] + 1];
+    }
+    ERG_EACH(i, side_by_side) {
+      all.word[first + i] = mix64(first_word + static_cast<std::uint64_t>(all.line[first + i]));
+    }
+    ERG_EACH(i, side_by_side) {
+      const int k = first + i;
+      const std::uint32_t snow = all.snow[k];
+      const std::uint32_t way = all.way[k];
+      const auto low = static_cast<std::uint32_t>(all.word[k]);
+      const auto high = static_cast<std::uint32_t>(all.word[k] >> 32);
+      const std::uint32_t on_bare = snow != 0 ? rests.hard : rests.ground;
+      const std::uint32_t on_snow = (snow & 0xffff) != 0 ? rests.loose : on_bare;
       const std::uint32_t in_light = on_snow > least_rest ? on_snow : least_rest;
-      const std::uint32_t rest = mean_hop_64(way[k]) == 0 ? certain : in_light;
-      const std::uint32_t stay = (low & 0xffff) < rest ? 1 : 0;
-      const std::uint32_t off = (low >> 16) < suspension ? 1 : 0;
-      const std::uint32_t fly = (stay | off) ^ 1;
-      const std::int32_t whole = snow_hop_rows(way[k], high);
+      const std::uint32_t rest = mean_hop_64(way) == 0 ? certain : in_light;
+      const std::uint32_t stays = (low & 0xffff) < rest ? 1 : 0;
+      const std::uint32_t off = ((low >> 16) < rests.suspension ? 1 : 0) & (stays ^ 1);
+      const std::uint32_t flies = (stays | off) ^ 1;
+      const std::int32_t run = run_of(way);
+      const std::int32_t whole = snow_hop_rows(way, high);
       const std::int32_t flown = whole < run ? whole : run;
-      const std::int32_t to = row[k] + flown;
-      const std::uint32_t bit = fly << ((first_row + to) & (snow_window - 1));
-      const std::uint32_t here = to < rows ? bit : 0;
-      chance[k] = rest;
-      snow_left[k] = snow[k] + stay * snow_word(1, 1);
-      way_left[k] = way[k] | stay * snow_has_landed;
-      window[k] = ((first_row + to) / snow_window & windows) * snow_lines + line[k];
-      place[k] = window[k] * snow_window + ((first_row + to) & (snow_window - 1));
-      push[k] = -fly & (short_slab + share_of_hop(flown, whole));
-      waiting[k] |= here;
-      fall[k] = bit ^ here;
-      further[k] = ((snow[k] & 0xffff) != 0 ? 0 : bonded) | (short_slabs_of(load[k]) > 1 ? is_crowd : 0);
-      rows_flown += k < lanes ? flown & -static_cast<std::int32_t>(fly) : 0;
-      carried_off += k < lanes ? static_cast<std::int32_t>((stay | fly) ^ 1) : 0;
+      all.rest[k] = rest;
+      all.strikes[k] = (snow != 0 ? 1 : 0) & ((snow & 0xffff) == 0 ? 1 : 0);
+      all.snow_left[k] = snow + stays * snow_word(1, 1);
+      all.way_left[k] = way | stays * snow_has_landed;
+      all.flies[k] = flies;
+      all.share[k] = share_of_hop(flown, whole) & -flies;
+      all.ring_row[k] = air.ring_row(row + flown);
+      rows_flown += i < lanes ? flown & -static_cast<std::int32_t>(flies) : 0;
+      carried_off += i < lanes ? static_cast<std::int32_t>(off) : 0;
     }
   }
-  air.rows_flown += rows_flown;
-  air.carried_off += carried_off;
+  strip.rows_flown += rows_flown;
+  strip.slabs_out += carried_off;
 }
 
 /// The slabs of a load that are not the first.
-void decide_others(const SnowLandings& landings, int first_row, int end, Arrivals& all, int k, SnowAir& air) {
+void decide_others(const SnowPlanes& planes, int row, std::uint64_t load, int k, Arrivals& all, SnowStrip& strip) {
   std::uint64_t word = all.word[k];
-  for (std::uint32_t slabs = slabs_of(air.all_of(all.from[k], all.load[k])); slabs > 1; --slabs) {
+  for (std::uint32_t slabs = slabs_of(load); slabs > 1; --slabs) {
     word = mix64(word);
     if (snow_stays(word, all.rest[k])) {
       all.snow_left[k] += snow_word(1, 1);
       all.way_left[k] |= snow_has_landed;
-    } else if (snow_carried_off(word, landings.rests)) {
-      ++air.carried_off;
+    } else if (snow_carried_off(word, planes.rests)) {
+      ++strip.slabs_out;
     } else {
       const SnowHop hop = snow_hop(all.way[k], run_of(all.way[k]), static_cast<std::uint32_t>(word >> 32));
-      const int row = first_row + all.row[k] + hop.rows;
-      const int window = (row / snow_window & (air.windows - 1)) * snow_lines + all.line[k];
-      const std::uint32_t bit = 1u << (row & (snow_window - 1));
-      air.put(window * snow_window + (row & (snow_window - 1)), short_slab + static_cast<std::uint32_t>(hop.load));
-      (row < end ? all.waiting[k] : air.falls[window]) |= bit;
-      air.rows_flown += hop.rows;
+      strip.put(strip.ring_row(row + hop.rows), all.line[k], hop.load);
+      strip.rows_flown += hop.rows;
     }
   }
 }
 
-/// Strength of the uppermost bonded snow under a cell of the strip.
-float strength_at(const SnowLandings& landings, int row, int line, std::uint32_t snow) {
-  int u = landings.offsets[row] + landings.lines.first_line + line;
-  u = u < landings.width ? u : u - landings.width;
-  const std::int64_t cell = landings.origin + u * landings.step_u + row * landings.step_v;
-  return snow_strength(*landings.law, static_cast<int>(cell % landings.nx), static_cast<int>(cell / landings.nx),
-                       mobile_of(snow));
-}
-
-/// The impacts of a load on bonded snow free slabs of it in place.
-void strike(const SnowLandings& landings, int first_row, const SnowAir& air, Arrivals& all, int k) {
-  const SnowLines& lines = landings.lines;
-  const int here = all.cell[k];
-  const std::uint32_t hops = std::uint32_t{lines.powers[here]} << 16;
-  if (hops == 0) return;
-  const std::int32_t* const ground = landings.ground;
-  const int row = first_row + all.row[k];
-  const int line = all.line[k];
-  std::int32_t upwind = landings.upwind[line];
+/// How many slabs of bonded snow the impacts of a load free in place.
+[[gnu::noinline]] std::int32_t strike(const SnowPlanes& planes, int row, std::uint64_t load, int k, const Arrivals& all,
+                                      int first_line) {
+  const std::int32_t place = all.place[k];
+  const std::uint32_t hops = std::uint32_t{planes.powers[place]} << 16;
+  if (hops == 0) return 0;
+  const auto ground = [&planes](std::int32_t at) { return planes.relief ? planes.bedrock[planes.cell_at(at)] : 0; };
+  const std::int32_t mobile = mobile_of(all.snow[k]);
+  const int line = first_line + all.line[k];
+  std::int32_t rise = 0;
   if (row > 0) {
-    const int before = lines.places[row - 1] + line * lines.next_line;
-    upwind = mobile_of(lines.cells[before].snow) + (ground != nullptr ? ground[before] : 0);
+    const std::int32_t upwind = planes.place_of_line(line, row - 1);
+    rise = mobile + ground(place) - mobile_of(planes.cells[upwind].snow) - ground(upwind);
+  } else if (planes.torus) {  // behind the edge all is as it was before the flights
+    const std::int32_t upwind = planes.place_of_line(line, -1) + planes.length * planes.step_v;
+    rise = mobile + ground(place) - planes.mobile[planes.cell_at(upwind)] - ground(upwind);
   }
-  const std::int32_t most = mobile_of(all.snow[k]);
-  const std::int32_t surface = most + (ground != nullptr ? ground[here] : 0);
-  const float rise = upwind == no_surface ? 0.0f : static_cast<float>(surface - upwind);
-  const std::uint64_t load = air.all_of(all.from[k], all.load[k]);
-  const float power = strike_power(*landings.law, hops, load, rise);
-  const std::int32_t freed = freed_slabs(*landings.law, load, all.word[k], power,
-                                         [&] { return strength_at(landings, row, line, all.snow[k]); });
-  all.snow_left[k] += static_cast<std::uint32_t>(freed < most ? freed : most);
+  const float power = strike_power(*planes.law, hops, load, static_cast<float>(rise));
+  const std::int32_t freed = freed_slabs(*planes.law, load, all.word[k], power, [&] {
+    return snow_strength(*planes.law, place % planes.pitch, place / planes.pitch, mobile);
+  });
+  return freed < mobile ? freed : mobile;
 }
 
-/// Loads that strike bonded snow, and those of more than one slab.
-void decide_further(const SnowLandings& landings, int first_row, int end, Arrivals& all, SnowAir& air) {
-  std::int32_t some[snow_lines];
-  int count = 0;
-  for (int k = 0; k < all.count; ++k) {
-    some[count] = k;
-    count += all.further[k] != 0 ? 1 : 0;
-  }
-  for (int n = 0; n < count; ++n) {
-    const int k = some[n];
-    if ((all.further[k] & strikes_bonded) != 0) strike(landings, first_row, air, all, k);
-    if ((all.further[k] & is_crowd) != 0) decide_others(landings, first_row, end, all, k, air);
-  }
-}
-
-/// Lanes too many look at the first row of the first line.
-[[gnu::always_inline]] inline void fill_up(Arrivals& all) {
-  for (int k = 0; k < side_by_side; ++k) all.line[all.count + k] = 0, all.waiting[all.count + k] = 1;
-}
-
-/// Writes what was decided; leaves those lines in which something else comes down.
-void settle(const SnowLines& lines, const SnowAir& given_air, Arrivals& all) {
-  const SnowAir air = given_air;
-  StripCell* const cells = lines.cells;
-  int count = 0;
-  for (int k = 0; k < all.count; ++k) {
-    cells[all.cell[k]] = {all.snow_left[k], all.way_left[k]};
-    const int from = all.from[k];
-    if (all.load[k] >= most_short_slabs * short_slab) air.excess[from] = 0;
-    air.loads[from] = 0;
-    air.put(all.place[k], all.push[k]);
-    air.falls[all.window[k]] |= all.fall[k];
-    const std::uint32_t waiting = all.waiting[k];
-    all.line[count] = all.line[k];
-    all.waiting[count] = waiting;
-    count += waiting != 0 ? 1 : 0;
-  }
-  all.count = count;
-  fill_up(all);
-}
-
-void land(const SnowLandings& landings, const std::uint64_t* row_words, int first_row, int end, std::uint64_t among,
-          SnowAir& air) {
-  const SnowLines lines = landings.lines;
-  std::uint32_t* const falls = air.falls + (first_row / snow_window & (air.windows - 1)) * snow_lines;
-  const int rows = end - first_row;
-  const std::uint32_t within = rows < snow_window ? (1u << rows) - 1 : ~0u;
+/// Brings down all that is in the air over a row: slabs strike what lies there, stay or fly on.
+[[gnu::noinline]] void land(const SnowPlanes& planes, bool last, int row, std::uint64_t row_word, SnowStrip& strip) {
+  const SnowStrip air = strip;
+  const int there = air.ring_row(row);
+  const int count = air.counts[there];
+  if (count == 0) return;
   Arrivals all;
-  for (int line = 0; line < lines.lines; ++line) {
-    const std::uint32_t waiting = falls[line] & within & -static_cast<std::uint32_t>(among >> line & 1);
-    falls[line] ^= waiting;
-    all.line[all.count] = line;
-    all.waiting[all.count] = waiting;
-    all.count += waiting != 0 ? 1 : 0;
+  decide(planes, last, row, row_word, air.lists + there * snow_strip_list, count, all, strip);
+  for (int k = 0; k < count; ++k) {
+    std::uint64_t& load = air.load(there, all.line[k]);
+    if (all.strikes[k] != 0) {
+      all.snow_left[k] += static_cast<std::uint32_t>(strike(planes, row, load, k, all, air.first));
+    }
+    if (slabs_of(load) > 1) decide_others(planes, row, load, k, all, strip);
+    planes.cells[all.place[k]] = {all.snow_left[k], all.way_left[k]};
+    load = 0;
+    air.put(all.ring_row[k], all.line[k], all.flies[k] * one_slab + all.share[k]);
   }
-  fill_up(all);
-  while (all.count > 0) {
-    take_first(lines, first_row, air, all);
-    decide(landings, row_words, first_row, end, all, air);
-    decide_further(landings, first_row, end, all, air);
-    settle(lines, air, all);
+  air.counts[there] = 0;
+}
+
+// --- edges ---
+
+/// The slabs in the air over a line have left over an open side before this row.
+void drop_out(int row, int line, SnowStrip& strip) {
+  for (int rows = 0; rows <= static_cast<int>(strip.ring_mask); ++rows) {
+    const int there = strip.ring_row(row + rows);
+    std::uint64_t& load = strip.load(there, line);
+    if (load == 0) continue;
+    const std::int64_t slabs = slabs_of(load);
+    strip.slabs_out += slabs;
+    strip.rows_flown -= slabs * (rows + 1);
+    load = 0;
+    std::uint16_t* listed = strip.lists + there * snow_strip_list;
+    const std::uint16_t last = listed[--strip.counts[there]];
+    while (*listed != line) ++listed;
+    *listed = last;
   }
+}
+
+/// Drift comes in over an open edge.
+void enter(const SnowPlanes& planes, const SnowSweep& sweep, int row, int line, SnowStrip& strip) {
+  if (planes.inflow <= 0 || !sweep.polls) return;
+  std::uint32_t word = entering_word(sweep, strip.first + line);
+  const int slabs = entering_slabs(planes.inflow, planes.sweeps, word);
+  const std::uint32_t way = planes.cells[planes.place_of_line(strip.first + line, row)].way;
+  for (int slab = 0; slab < slabs; ++slab) {
+    word = next_snow_word(word);
+    const int rows = entering_rows(way, run_of(way), word);
+    strip.put(strip.ring_row(row + rows), line, one_slab + whole_hop);
+    strip.rows_flown += rows;
+  }
+  strip.slabs_in += slabs;
+}
+
+/// The line of a strip that begins anew in this row of an open grid, having left it on the other side; -1 if none does.
+int crossing_line(const SnowPlanes& planes, int row, const SnowStrip& strip) {
+  const int offset = planes.offsets[row + 1];
+  if (row == 0 || offset == planes.offsets[row]) return -1;
+  const int line = (offset == 0 ? 0 : planes.width - offset) - strip.first;
+  return line < strip.lines ? line : -1;
+}
+
+/// What is in the air over the last row goes on at the other end of the torus, or has left over the open edge.
+void leave_grid(const SnowPlanes& planes, SnowStrip& strip) {
+  if (planes.torus && planes.closes) {
+    strip.ring_first += static_cast<std::uint32_t>(planes.length);
+    return;
+  }
+  for (int rows = 0; rows <= static_cast<int>(strip.ring_mask); ++rows) {
+    const int there = strip.ring_row(planes.length + rows);
+    for (int k = 0; k < strip.counts[there]; ++k) {
+      const int line = strip.lists[there * snow_strip_list + k];
+      std::uint64_t& load = strip.load(there, line);
+      if (planes.torus) {
+        const int next = (strip.first + line + planes.drift) % planes.width;
+        planes.handed_over[static_cast<std::ptrdiff_t>(rows) * planes.width + next] += load;
+        strip.hands_over = true;
+      } else {
+        const std::int64_t slabs = slabs_of(load);
+        strip.slabs_out += slabs;
+        strip.rows_flown -= slabs * (rows + 1);
+      }
+      load = 0;
+    }
+    strip.counts[there] = 0;
+  }
+}
+
+void poll_all(const SnowPlanes& planes, SnowStrip& strip) {
+  for (int block = 0; block < planes.length; block += planes.sweeps) {
+    for (int number = 0; number < planes.sweeps; ++number) {
+      const int list = block + number;
+      strip.poll_counts[list] =
+          poll(planes, planes.draws[number], block, strip, 0, strip.lines, false, strip.polls + list * snow_strip_list);
+    }
+  }
+}
+
+void fly(const SnowPlanes& given, int number, SnowStrip& strip) {
+  const SnowPlanes planes = given;
+  const SnowSweep& sweep = planes.draws[number];
+  alignas(64) std::uint64_t row_words[64] = {};
+  alignas(64) std::uint16_t polls[snow_strip_list] = {};
+  for (int row = 0; row < planes.length && (sweep.polls || strip.anything_aloft()); ++row) {
+    const int block = row & -planes.sweeps;
+    const int crossing = planes.torus ? -1 : crossing_line(planes, row, strip);
+    if (crossing >= 0) {
+      drop_out(row, crossing, strip);
+      enter(planes, sweep, row, crossing, strip);
+    }
+    if (row == block) {
+      ERG_EACH(k, planes.sweeps) row_words[k] = flight_row_word(sweep.key, row + k);
+      const int list = block + number;  // of a block and sub-sweep
+      if (sweep.polls)
+        lift(planes, block, row_words, strip.polls + list * snow_strip_list, strip.poll_counts[list], strip);
+    } else if (crossing >= 0) {  // what was in the air is lost; only now may a slab of this line lift in the block
+      const int count = poll(planes, sweep, block, strip, crossing, crossing + 1, true, polls);
+      lift(planes, block, row_words, polls, count, strip);
+    }
+    for (int line = 0; row == 0 && !planes.torus && line < strip.lines; ++line) enter(planes, sweep, row, line, strip);
+    land(planes, sweep.last, row, ~row_words[row - block], strip);
+  }
+  leave_grid(planes, strip);
 }

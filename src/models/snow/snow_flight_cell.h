@@ -12,7 +12,7 @@ namespace erg {
 /// processor's strips find out what lifts beforehand and keep less (StripCell).
 struct alignas(16) SnowCell {
   std::uint32_t snow = 0;     ///< snow_word
-  std::uint32_t chances = 0;  ///< SnowWeather
+  std::uint32_t chances = 0;  ///< TransportRates
   std::uint32_t hops = 0;
   std::int16_t run = 0;     ///< rows that a slab can fly from here before higher
                             ///< ground ends its hop

@@ -11,9 +11,9 @@
 #include "forcing/shadow.h"
 #include "models/model.h"
 #include "models/snow/sintering_values.h"
-#include "models/snow/snow_draws.h"
 #include "models/snow/snow_solver.h"
 #include "models/snow/snow_step.h"
+#include "models/snow/snow_step_random.h"
 
 namespace erg {
 namespace {
@@ -191,7 +191,7 @@ ModelType snow_sintering() {
                .channels = {"temperature", "snowfall"}},
       .parameters = sintering_binding(),
       .fields = snow_sintering_fields(),
-      .working_bytes = 22,  // heights and weather of SnowMachine; its strips are one for each thread
+      .working_bytes = 27,  // planes of SnowOnProcessor
       .make = [](const SinteringValues& values) { return std::make_unique<SnowSintering>(values); },
       .explain = explain_sintering,
       .step_scale =

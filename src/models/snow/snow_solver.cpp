@@ -3,27 +3,10 @@
 #include <memory>
 
 #include "models/snow/on_device.h"
-#include "models/snow/snow_drift.h"
+#include "models/snow/on_processor.h"
 
 namespace erg {
 namespace {
-
-/// On the processor's threads, which work on the terrain's own layers.
-class SnowOnProcessor : public SnowSolver {
- public:
-  explicit SnowOnProcessor(InstructionSet instructions) : drift_(instructions) {}
-
-  bool holds_fields() const override { return true; }
-  void load(const Terrain&, const WindFrame&) override {}
-  void sync_to_host(Terrain&) override {}
-  StepReport step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
-                  Executor& executor) override {
-    return drift_.step(terrain, snow, wind, key, executor);
-  }
-
- private:
-  SnowDrift drift_;
-};
 
 /// A step of snow, as executors carry it out.
 struct SnowDriftStep {

@@ -1,4 +1,4 @@
-// A step of sintering snow, and what carries it out: the processor's threads (snow_drift.h), or kernels on a device
+// A step of sintering snow, and what carries it out: the processor's threads (on_processor.h), or kernels on a device
 // (snow_on_device.h).
 #pragma once
 

@@ -169,7 +169,7 @@ ERG_ON_DEVICE void make_weather(const SnowPlan& plan, Items items) {
     place.rest = law.now - plan.ground.landed[cell];
     place.age = plan.age[cell];
     place.dark = plan.dark[cell];
-    const SnowWeather weather = snow_weather(law, place, static_cast<float>(plan.cosine));
+    const TransportRates weather = transport_rates(law, place, static_cast<float>(plan.cosine));
     SnowCell made;
     made.snow = snow_word(plan.ground.loose[cell], plan.ground.mobile[cell]);
     made.chances = weather.chances;

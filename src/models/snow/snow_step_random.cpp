@@ -1,10 +1,11 @@
-#include "models/snow/snow_draws.h"
+#include "models/snow/snow_step_random.h"
 
 #include <algorithm>
 #include <bit>
 #include <string>
 #include <utility>
 
+#include "compute/executor.h"
 #include "core/errors.h"
 #include "kernels/fixed_point.h"
 #include "models/slab/slab_cell.h"
@@ -19,7 +20,7 @@ enum SnowWord : std::uint64_t { fall = 62, bonds, slides, sweep_words = 80, rows
 
 }  // namespace
 
-void SnowDraws::draw_sweeps(StepKey key, int polling) {
+void StepRandom::draw_sweeps(StepKey key, int polling) {
   sweeps.resize(static_cast<std::size_t>(polling + longest_flight + 1));
   PolledRows polled;
   polled.permute(key, 0, rows, polling, 0, PolledRows::permutations);
@@ -35,7 +36,7 @@ void SnowDraws::draw_sweeps(StepKey key, int polling) {
   }
 }
 
-void SnowDraws::draw_lines(const WindFrame& frame, StepKey key, std::uint32_t longest_mean_hop) {
+void StepRandom::draw_lines(const WindFrame& frame, StepKey key, std::uint32_t longest_mean_hop) {
   reach = longest_snow_hop(longest_mean_hop);
   ring_rows = static_cast<int>(std::bit_ceil(static_cast<unsigned>(reach + 1)));
   drift = 0;

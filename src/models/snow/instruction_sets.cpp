@@ -1,4 +1,4 @@
-#include "models/snow/snow_sweep.h"
+#include "models/snow/snow_planes.h"
 
 namespace erg {
 

@@ -13,7 +13,7 @@
 namespace erg {
 
 /// The sub-sweeps of a step's flights, and the lines that they follow.
-struct SnowDraws {
+struct StepRandom {
   std::vector<SnowSweep> sweeps;  ///< K, and the passes without polls that may follow
   int reach = 1;                  ///< rows, over the longest hop
   int ring_rows = 2;              ///< a power of two over `reach`: rows in which slabs in the air may wait
