@@ -207,13 +207,14 @@ TEST(Processors, TallRocksAreNoEndlessWork) {
   spire[64 * 128 + 64] = 65535;
   folder.write("spire.png", PngBytes{.width = 128, .height = 128, .samples = spire}.made());
   const Words rocks{"--set", "nx=20", "--set", "ny=20", "--set", "scene.kind=rocks", "--set", "height=10000"};
-  const Words one_column{"--set", "nx=128", "--set", "ny=128", "--set", "scene.kind=image",
-                         "--set", "scene.image=spire.png", "--set", "image_high=13000"};
+  const Words one_column{"--set", "nx=128",           "--set", "ny=128",
+                         "--set", "scene.kind=image", "--set", "scene.image=spire.png",
+                         "--set", "image_high=13000"};
   for (const Words& ground : {rocks, one_column}) {
     for (const char* executor : {"serial", "cpu"}) {
       for (const char* bearing : {"W", "285", "N"}) {
-        Words words{"run", "a.json", "--executor", executor, "--quiet", "--hash",
-                    "--set", std::string("wind.bearing=") + bearing};
+        Words words{"run",     "a.json", "--executor", executor,
+                    "--quiet", "--hash", "--set",      std::string("wind.bearing=") + bearing};
         words.insert(words.end(), ground.begin(), ground.end());
         // A safeguard and no measurement: it takes a hundredth of that.
         const Ended ended = run_erg(folder, words, [] {

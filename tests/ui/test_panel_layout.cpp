@@ -40,6 +40,7 @@ void grow(PanelHand& panel) {
   config.run.set("threads", std::int64_t{1});
   config.wind.seasons = {Season{270, 3, 8, 100, {{0.6, 0.05}, {0.5, 0.95}}}, Season{225, 8, 8, 50, {}},
                          Season{292.5, 8, 4, 80, {}}};
+  for (Season& season : config.wind.seasons) season.spread = 10;
   panel.app.setup().replace(config);
   panel.app.create();
   panel.app.runner().run(pictures_wanted() ? 120 : 10);

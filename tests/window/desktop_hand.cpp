@@ -215,7 +215,7 @@ void DesktopHand::enter(const std::string& name, const std::string& text) const 
 }
 
 void DesktopHand::move_window(const std::string& place) const {
-  command("xdotool search --onlyvisible --name ' - Erg' windowmove " + place);
+  command("xdotool search --sync --onlyvisible --name ' - Erg' windowmove " + place);
 }
 
 int DesktopHand::height(const std::string& name) const {

@@ -8,7 +8,7 @@
 namespace erg {
 
 StepReport SnowOnProcessor::step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
-                            Executor& executor) {
+                                 Executor& executor) {
   executor_ = &executor;
   begin(terrain, snow, wind, key);
   measure_heights();

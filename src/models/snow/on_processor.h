@@ -13,20 +13,21 @@
 #include <mutex>
 #include <vector>
 
-#include "core/terrain.h"
 #include "compute/aligned_vector.h"
+#include "core/terrain.h"
+#include "forcing/wind_frame.h"
 #include "models/snow/snow_ground.h"
 #include "models/snow/snow_planes.h"
 #include "models/snow/snow_solver.h"
 #include "models/snow/snow_step.h"
 #include "models/snow/snow_step_random.h"
-#include "forcing/wind_frame.h"
 
 namespace erg {
 
 class SnowOnProcessor : public SnowSolver {
  public:
-  explicit SnowOnProcessor(InstructionSet instructions = wanted_instruction_set()) : kernels_(snow_kernels(instructions)) {}
+  explicit SnowOnProcessor(InstructionSet instructions = wanted_instruction_set())
+      : kernels_(snow_kernels(instructions)) {}
 
   // It works on the terrain's own layers.
   bool holds_fields() const override { return true; }

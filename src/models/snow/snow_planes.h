@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "compute/executor.h"
-#include "models/snow/box_mean.h"
+#include "kernels/box_mean.h"
 #include "models/snow/snow_flight_cell.h"
 
 namespace erg {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "models/snow/box_mean.h"
+#include "kernels/box_mean.h"
 #include "models/snow/on_processor.h"
 
 namespace erg {

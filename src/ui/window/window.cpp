@@ -121,7 +121,7 @@ struct Window::Hidden {
   int width = 1;
   int height = 1;
   double scale = 1;
-  bool has_moved = false;  // since its monitor was looked for
+  bool has_moved = true;  // since its monitor was looked for: it may not open where the pointer is
   int redraw = settling_frames;
   bool running = false;
   WindowEvents events;

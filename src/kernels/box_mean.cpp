@@ -1,4 +1,4 @@
-#include "models/snow/box_mean.h"
+#include "kernels/box_mean.h"
 
 #include <algorithm>
 
