@@ -59,6 +59,7 @@ struct GrainRun {
     StepReport total;
     for (int k = 0; k < count; ++k) {
       total += model.step(terrain, wind, {5, step++}, *executor);
+      executor->sync_to_host(terrain);
       if (step % 5 == 0) migration.observe(static_cast<std::int64_t>(step), surface());
     }
     return total;

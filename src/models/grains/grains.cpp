@@ -190,7 +190,7 @@ ModelType grains() {
                .painted = {plants_field}},
       .parameters = grain_binding(),
       .fields = grain_fields(),
-      .working_bytes = 60,  // the frozen ground, counts and sums of GrainBed, shelter behind plants
+      .working_bytes = 64,  // the frozen ground, counts and sums of GrainBed, shelter behind plants
       .make = [](const GrainValues& values) { return std::make_unique<GrainModel>(values); },
       .explain = explain_grains};
 }
