@@ -11,6 +11,7 @@ std::string format_shortest(double value) {
 
 std::string unit_text(std::string_view unit) {
   std::string text(unit);
+  std::erase(text, '^');
   if (text.starts_with("deg")) text.replace(0, text.starts_with("deg ") ? 4 : 3, "°");
   if (text.ends_with('2')) text.replace(text.size() - 1, 1, "²");
   if (text.ends_with('3')) text.replace(text.size() - 1, 1, "³");
