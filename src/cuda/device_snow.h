@@ -7,8 +7,8 @@
 #include "cuda/device_tally.h"
 #include "cuda/snow_plan.h"
 #include "transport/executor.h"
-#include "transport/snow_step_random.h"
 #include "transport/snow_step.h"
+#include "transport/snow_step_random.h"
 
 namespace erg {
 
