@@ -130,6 +130,16 @@ constexpr int lifts_hard_bit = 15;
   for (int k = 0; k < count; ++k) planes.lift_counts[planes.cell_at(place[k])] += static_cast<std::int32_t>(goes[k]);
 }
 
+/// Asks for the cells that lift next: the processor does not foresee where they lie.
+void fetch_polled(const SnowPlanes& planes, int block, int list, const SnowStrip& strip) {
+  if (block >= planes.length) return;
+  for (int k = 0; k < strip.poll_counts[list]; ++k) {
+    const std::int32_t poll = strip.polls[list * snow_strip_list + k];
+    const int row = block + (poll >> polled_row_bit & 0x3f);
+    __builtin_prefetch(planes.cells + planes.place_of_line(strip.first + (poll & 0xff), row), 1);
+  }
+}
+
 // --- coming down ---
 
 /// Loads that come down in a row, each in another line.
@@ -365,8 +375,10 @@ void fly(const SnowPlanes& given, int number, SnowStrip& strip) {
     if (row == block) {
       ERG_EACH(k, planes.sweeps) row_words[k] = flight_row_word(sweep.key, row + k);
       const int list = block + number;  // of a block and sub-sweep
-      if (sweep.polls)
+      if (sweep.polls) {
         lift(planes, block, row_words, strip.polls + list * snow_strip_list, strip.poll_counts[list], strip);
+        fetch_polled(planes, block + planes.sweeps, list + planes.sweeps, strip);
+      }
     } else if (crossing >= 0) {  // what was in the air is lost; only now may a slab of this line lift in the block
       const int count = poll(planes, sweep, block, strip, crossing, crossing + 1, true, polls);
       lift(planes, block, row_words, polls, count, strip);
