@@ -45,7 +45,7 @@ class WaterTable : public SlabModel {
  public:
   explicit WaterTable(const WaterTableValues& values) : SlabModel(family, values), values_(values) {}
 
-  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
     executor.sync_to_host(terrain);
     wet_the_ground(terrain, executor);
     SlabLaw law = SlabModel::law(terrain);

@@ -70,7 +70,7 @@ class Showers : public SlabModel {
     terrain.edit_fields().push_back({showers_fields().front(), Grid<float>(terrain.extent())});
   }
 
-  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
     let_it_rain(terrain, key, executor);
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover_;

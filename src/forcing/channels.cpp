@@ -9,7 +9,7 @@ namespace {
 
 constexpr Notation bearing_notation{accepted_bearings, parse_bearing, fold_bearing};
 
-Parameter bearing_column(const Season& standard) {
+Parameter bearing_column(const WindInterval& standard) {
   return {.key = "bearing",
           .label = "Bearing",
           .unit = "deg",
@@ -31,7 +31,7 @@ Parameter strength_column(const char* key, double standard) {
               "and the wind moves nothing."};
 }
 
-Parameter spread_column(const Season& standard) {
+Parameter spread_column(const WindInterval& standard) {
   return {.key = "spread",
           .label = "Spread",
           .unit = "deg",
@@ -41,7 +41,7 @@ Parameter spread_column(const Season& standard) {
           .meaning = "How much the wind swings about its bearing: standard deviation from draw to draw."};
 }
 
-Parameter hold_column(const Season& standard) {
+Parameter hold_column(const WindInterval& standard) {
   return {.key = "hold",
           .label = "Hold",
           .unit = "steps",
@@ -53,7 +53,7 @@ Parameter hold_column(const Season& standard) {
               "next."};
 }
 
-Parameter steps_column(const Season& standard) {
+Parameter steps_column(const WindInterval& standard) {
   return {.key = "steps",
           .label = "Steps",
           .default_value = standard.steps,
@@ -88,17 +88,17 @@ const std::vector<Channel>& channels() {
                     .minimum = -60,
                     .maximum = 0,
                     .meaning = "Temperature of air and snow; for models that ask for it."},
-       .now = &WindNow::temperature,
+       .now = &Forcing::temperature,
        .over_run = &Weather::temperature},
       {.declared = {.key = "snowfall",
                     .label = "Snowfall",
                     .unit = "mm/h",
-                    .default_value = Season{}.snowfall,
+                    .default_value = WindInterval{}.snowfall,
                     .minimum = 0,
                     .maximum = heaviest_snowfall,
                     .meaning = "Snow that falls during the season, as it lies; for models that let it fall."},
-       .now = &WindNow::snowfall,
-       .of_season = &Season::snowfall},
+       .now = &Forcing::snowfall,
+       .of_interval = &WindInterval::snowfall},
   };
   return all;
 }
@@ -112,7 +112,7 @@ bool uses_channel(const std::vector<std::string>& keys, const Channel& channel) 
   return std::ranges::find(keys, channel.declared.key) != keys.end();
 }
 
-Declarations season_columns(const Season& standard) {
+Declarations interval_columns(const WindInterval& standard) {
   Parameters columns{bearing_column(standard),
                      strength_column("strength", standard.first),
                      strength_column("first", standard.first),
@@ -122,18 +122,18 @@ Declarations season_columns(const Season& standard) {
                      steps_column(standard),
                      curve_column()};
   for (const Channel& channel : channels()) {
-    if (channel.of_season != nullptr) columns.push_back(channel.declared);
+    if (channel.of_interval != nullptr) columns.push_back(channel.declared);
   }
   return columns;
 }
 
-Declarations constant_wind_columns(const Season& standard) {
+Declarations constant_wind_columns(const WindInterval& standard) {
   return {bearing_column(standard), strength_column("strength", standard.first), spread_column(standard),
           hold_column(standard)};
 }
 
-Season season_of(const ParameterValues& row) {
-  Season season;
+WindInterval interval_of(const ParameterValues& row) {
+  WindInterval season;
   season.bearing = row.real("bearing");
   season.first = season.last = row.real("strength");
   season.spread = row.real("spread");
@@ -147,12 +147,12 @@ Season season_of(const ParameterValues& row) {
   season.steps = row.integer("steps");
   season.curve = row.bezier("curve");
   for (const Channel& channel : channels()) {
-    if (channel.of_season != nullptr) season.*channel.of_season = row.real(channel.declared.key);
+    if (channel.of_interval != nullptr) season.*channel.of_interval = row.real(channel.declared.key);
   }
   return season;
 }
 
-ParameterValues row_of(const Season& season, const Declarations& columns) {
+ParameterValues row_of(const WindInterval& season, const Declarations& columns) {
   ParameterValues row(columns);
   const auto set_other = [&row](const char* key, const ParameterValue& value) {
     if (row.find(key) != nullptr && value != row.find(key)->default_value) row.set(key, value);
@@ -169,13 +169,13 @@ ParameterValues row_of(const Season& season, const Declarations& columns) {
   if (row.find("steps") != nullptr) row.set("steps", season.steps);
   set_other("curve", season.curve);
   for (const Channel& channel : channels()) {
-    if (channel.of_season != nullptr) set_other(channel.declared.key.c_str(), season.*channel.of_season);
+    if (channel.of_interval != nullptr) set_other(channel.declared.key.c_str(), season.*channel.of_interval);
   }
   return row;
 }
 
-void set_in_season(Season& season, std::string_view key, const ParameterValue& value) {
-  const Declarations columns = season_columns();
+void set_in_interval(WindInterval& season, std::string_view key, const ParameterValue& value) {
+  const Declarations columns = interval_columns();
   ParameterValues alone(columns);
   alone.set(key, value);
   const bool both = key == "strength";
@@ -184,7 +184,7 @@ void set_in_season(Season& season, std::string_view key, const ParameterValue& v
   if (both || key == "first" || key == "last") return;
   ParameterValues row = row_of(season, columns);
   row.set(key, value);
-  season = season_of(row);
+  season = interval_of(row);
 }
 
 Declarations course_columns(const Channel& channel) {

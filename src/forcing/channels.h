@@ -1,6 +1,6 @@
 // What the weather brings, as data: one declaration for each of its values. Config files, `--set`, the schema, the
-// window and the comparison of runs are derived from them. To add one, give it a member of Forcing and one of Season or
-// Weather, and its line in channels.cpp; the models that use it name its key (ModelInfo::channels).
+// window and the comparison of runs are derived from them. To add one, give it a member of Forcing and one of
+// WindInterval or Weather, and its line in channels.cpp; the models that use it name its key (ModelInfo::channels).
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct Course {
 /// One season: the wind blows from one bearing for `steps` time steps, and its strength goes from `first` to `last`
 /// along a curve. Strength is in cells per hop for slab models, m/s for the others. A real wind varies about its mean
 /// bearing: with a `spread` each draw of `hold` steps has a bearing of its own.
-struct Season {
+struct WindInterval {
   double bearing = 270;  ///< degrees, where it blows from (the mean)
   double first = 5;
   double last = 5;
@@ -38,7 +38,7 @@ struct Season {
   double snowfall = 0;    ///< mm of snow an hour, for snow models
   double spread = 0;      ///< standard deviation of the bearing from draw to draw, degrees
   std::int64_t hold = 4;  ///< steps of the season for which a draw holds
-  bool operator==(const Season&) const = default;
+  bool operator==(const WindInterval&) const = default;
 };
 
 /// What runs over all of a run, whatever the seasons.
@@ -48,7 +48,7 @@ struct Weather {
 };
 
 /// The wind of one time step, and what comes with it.
-struct WindNow {
+struct Forcing {
   double bearing = 270;
   double strength = 5;
   double temperature = -10;  ///< deg C
@@ -56,15 +56,15 @@ struct WindNow {
   double swing = 0;          ///< degrees by which `bearing` lies clockwise of the season's
   /// The bearing about which the season's wind swings.
   double mean_bearing() const { return fold_bearing(bearing - swing); }
-  bool operator==(const WindNow&) const = default;
+  bool operator==(const Forcing&) const = default;
 };
 
 /// A value that comes with the wind: a number for each season, or a course over the run.
 struct Channel {
   Parameter declared;
-  double WindNow::*now = nullptr;       ///< where a step finds it
-  double Season::*of_season = nullptr;  ///< one of these two: in the wind's seasons
-  Course Weather::*over_run = nullptr;  ///< or a key of the config
+  double Forcing::*now = nullptr;               ///< where a step finds it
+  double WindInterval::*of_interval = nullptr;  ///< one of these two: in the wind's seasons
+  Course Weather::*over_run = nullptr;          ///< or a key of the config
 };
 
 /// All of them, in the order in which people meet them.
@@ -86,17 +86,17 @@ inline constexpr std::int64_t most_steps = 1'000'000'000;
 
 /// The declarations of a season as a row of a list: bearing, strength (or first and last), spread, hold, steps, curve,
 /// and the channels that each season has. The defaults are those of `standard`.
-Declarations season_columns(const Season& standard = {});
+Declarations interval_columns(const WindInterval& standard = {});
 /// Those of a constant wind: bearing, strength, spread, hold.
-Declarations constant_wind_columns(const Season& standard = {});
+Declarations constant_wind_columns(const WindInterval& standard = {});
 /// The season that a row says (of either). One end of the strength alone stands for both.
-Season season_of(const ParameterValues& row);
+WindInterval interval_of(const ParameterValues& row);
 /// The way back. Set are the values that a reader wants to see: bearing, strength, steps, and what is not the default.
 /// Throws InputError for values out of range.
-ParameterValues row_of(const Season& season, const Declarations& columns);
+ParameterValues row_of(const WindInterval& season, const Declarations& columns);
 
 /// Gives a season one value of such a row: `strength` is both ends of it, `first` and `last` one. Throws InputError.
-void set_in_season(Season& season, std::string_view key, const ParameterValue& value);
+void set_in_interval(WindInterval& season, std::string_view key, const ParameterValue& value);
 
 /// The declarations of a course with a channel's range: first, last, curve.
 Declarations course_columns(const Channel& channel);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t most_samples = 64;
 
-double mean_of(const Season& season) {
+double mean_of(const WindInterval& season) {
   if (season.first == season.last) return season.first;
   const std::int64_t samples = std::clamp<std::int64_t>(season.steps, 1, most_samples);
   double sum = 0;
@@ -28,17 +28,17 @@ double mean_of(const Season& season) {
 
 }  // namespace
 
-double mean_strength(const Regime& regime) {
+double mean_strength(const WindSchedule& schedule) {
   double sum = 0;
-  for (const Season& season : regime.seasons) sum += mean_of(season) * static_cast<double>(season.steps);
-  return sum / static_cast<double>(regime.cycle());
+  for (const WindInterval& season : schedule.intervals) sum += mean_of(season) * static_cast<double>(season.steps);
+  return sum / static_cast<double>(schedule.cycle());
 }
 
-std::optional<double> resultant_bearing(const Regime& regime) {
-  if (regime.seasons.size() == 1) return regime.seasons.front().bearing;
+std::optional<double> resultant_bearing(const WindSchedule& schedule) {
+  if (schedule.intervals.size() == 1) return schedule.intervals.front().bearing;
   Direction drift;
   double whole = 0;
-  for (const Season& season : regime.seasons) {
+  for (const WindInterval& season : schedule.intervals) {
     const double weight = mean_of(season) * static_cast<double>(season.steps);
     const Direction toward = downwind(season.bearing);
     drift.x += weight * toward.x;

@@ -11,7 +11,7 @@ struct ModelStart {
   double cell_size = 1;  ///< m
   double strength = 5;   ///< of a constant wind
   double sand = 3;       ///< mean thickness of the mobile layer, slabs a cell
-  double spread = 0;     ///< of the wind's bearing, degrees (Season::spread)
+  double spread = 0;     ///< of the wind's bearing, degrees (WindInterval::spread)
 };
 
 }  // namespace erg

@@ -9,7 +9,7 @@
 
 #include "compute/executor.h"
 #include "core/terrain.h"
-#include "forcing/regime.h"
+#include "forcing/wind_schedule.h"
 #include "session/series.h"
 #include "session/wind_cycle.h"
 #include "sim/config.h"
@@ -42,7 +42,7 @@ struct RunSnapshot {
   std::shared_ptr<const Field> flux;
   std::shared_ptr<const Series> series;  ///< the run's numbers over time
   std::int64_t step = 0;                 ///< steps done
-  WindNow last_wind;                     ///< of the last step done
+  Forcing last_wind;                     ///< of the last step done
   StepReport totals;                     ///< since step 0
   std::int64_t mass_now = 0;             ///< quanta on the ground, counted
   std::string executor;                  ///< "cpu"

@@ -9,11 +9,11 @@ namespace erg::session {
 namespace {
 
 /// The summed strength of a season's steps [first, last); exact up to `most_samples` steps, sampled evenly beyond.
-double summed_strength(const Season& season, std::int64_t first, std::int64_t last) {
+double summed_strength(const WindInterval& season, std::int64_t first, std::int64_t last) {
   constexpr std::int64_t most_samples = 512;
   const std::int64_t steps = last - first;
   if (steps <= 0) return 0;
-  const Regime alone{{season}};
+  const WindSchedule alone{{season}};
   const std::int64_t samples = std::min(steps, most_samples);
   double sum = 0;
   for (std::int64_t i = 0; i < samples; ++i) sum += alone.at(first + (2 * i + 1) * steps / (2 * samples)).strength;
@@ -27,8 +27,8 @@ std::size_t sector_of(double bearing, std::size_t sectors) {
 }
 
 /// Adds what blows in steps [0, until) of one cycle.
-void add_part(const Regime& regime, std::int64_t until, double weight, std::vector<double>& sums) {
-  for (const Season& season : regime.seasons) {
+void add_part(const WindSchedule& schedule, std::int64_t until, double weight, std::vector<double>& sums) {
+  for (const WindInterval& season : schedule.intervals) {
     const std::int64_t last = std::clamp<std::int64_t>(until, 0, season.steps);
     const double part = weight * summed_strength(season, 0, last) / draws_a_round;
     for (const double swing : wind_swings(season.spread)) sums[sector_of(season.bearing + swing, sums.size())] += part;
@@ -37,11 +37,11 @@ void add_part(const Regime& regime, std::int64_t until, double weight, std::vect
 }
 
 /// The sums over steps [0, until) of the run.
-std::vector<double> sums_until(const Regime& regime, std::int64_t until, std::size_t sectors) {
+std::vector<double> sums_until(const WindSchedule& schedule, std::int64_t until, std::size_t sectors) {
   std::vector<double> sums(sectors, 0.0);
-  const std::int64_t cycle = regime.cycle();
-  if (until >= cycle) add_part(regime, cycle, static_cast<double>(until / cycle), sums);
-  add_part(regime, until % cycle, 1, sums);
+  const std::int64_t cycle = schedule.cycle();
+  if (until >= cycle) add_part(schedule, cycle, static_cast<double>(until / cycle), sums);
+  add_part(schedule, until % cycle, 1, sums);
   return sums;
 }
 
@@ -52,11 +52,11 @@ std::size_t WindCycle::season_at(std::int64_t step) const {
   return static_cast<std::size_t>(after - season_starts.begin()) - 1;
 }
 
-WindCycle sample_cycle(const Regime& regime, std::size_t samples) {
+WindCycle sample_cycle(const WindSchedule& schedule, std::size_t samples) {
   WindCycle cycle;
-  cycle.length = regime.cycle();
+  cycle.length = schedule.cycle();
   std::int64_t start = 0;
-  for (const Season& season : regime.seasons) {
+  for (const WindInterval& season : schedule.intervals) {
     cycle.season_starts.push_back(start);
     start += season.steps;
   }
@@ -65,24 +65,24 @@ WindCycle sample_cycle(const Regime& regime, std::size_t samples) {
     const double part = static_cast<double>(i) / static_cast<double>(samples - 1);
     const auto step = static_cast<std::int64_t>(std::llround(part * static_cast<double>(cycle.length - 1)));
     cycle.steps.push_back(step);
-    cycle.strengths.push_back(regime.at(step).strength);
+    cycle.strengths.push_back(schedule.at(step).strength);
   }
   return cycle;
 }
 
-WindRose wind_rose(const Regime& regime, std::int64_t now, std::int64_t end, std::size_t sectors) {
+WindRose wind_rose(const WindSchedule& schedule, std::int64_t now, std::int64_t end, std::size_t sectors) {
   sectors = std::max<std::size_t>(sectors, 4);
   now = std::max<std::int64_t>(now, 0);
-  WindRose rose{sums_until(regime, now, sectors), sums_until(regime, std::max(now, end), sectors)};
+  WindRose rose{sums_until(schedule, now, sectors), sums_until(schedule, std::max(now, end), sectors)};
   for (std::size_t i = 0; i < sectors; ++i) rose.to_blow[i] = std::max(0.0, rose.to_blow[i] - rose.blown[i]);
   return rose;
 }
 
-void WindRecord::add(const WindNow& wind) { sums[sector_of(wind.bearing, sectors)] += wind.strength; }
+void WindRecord::add(const Forcing& wind) { sums[sector_of(wind.bearing, sectors)] += wind.strength; }
 
-WindRecord WindRecord::of(const Regime& regime, std::int64_t steps) {
+WindRecord WindRecord::of(const WindSchedule& schedule, std::int64_t steps) {
   WindRecord record;
-  std::ranges::copy(wind_rose(regime, steps, steps, sectors).blown, record.sums.begin());
+  std::ranges::copy(wind_rose(schedule, steps, steps, sectors).blown, record.sums.begin());
   return record;
 }
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "forcing/regime.h"
+#include "forcing/wind_schedule.h"
 
 namespace erg::session {
 
@@ -22,8 +22,8 @@ struct WindCycle {
   /// Which season blows then.
   std::size_t season_at(std::int64_t step) const;
 };
-/// The cycle of a regime at `samples` steps, two at least.
-WindCycle sample_cycle(const Regime& regime, std::size_t samples);
+/// The cycle of a schedule at `samples` steps, two at least.
+WindCycle sample_cycle(const WindSchedule& schedule, std::size_t samples);
 
 /// How much wind comes from where: the sum of strengths over steps, in equal sectors; sector 0 is centred on north. A
 /// season with a spread counts by the mean of its swings.
@@ -32,7 +32,7 @@ struct WindRose {
   std::vector<double> to_blow;  ///< from now to the end
 };
 /// `now` steps done out of `end`. Long runs are summed by whole cycles. At least 4 `sectors`.
-WindRose wind_rose(const Regime& regime, std::int64_t now, std::int64_t end, std::size_t sectors = 16);
+WindRose wind_rose(const WindSchedule& schedule, std::int64_t now, std::int64_t end, std::size_t sectors = 16);
 
 /// The wind as it blew, step after step: the sum of strengths by where it came from.
 struct WindRecord {
@@ -40,9 +40,9 @@ struct WindRecord {
   std::array<double, sectors> sums{};
 
   /// One step more.
-  void add(const WindNow& wind);
-  /// What a regime says of its first steps, for runs that were not watched then.
-  static WindRecord of(const Regime& regime, std::int64_t steps);
+  void add(const Forcing& wind);
+  /// What a schedule says of its first steps, for runs that were not watched then.
+  static WindRecord of(const WindSchedule& schedule, std::int64_t steps);
   bool operator==(const WindRecord&) const = default;
 };
 

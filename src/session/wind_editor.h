@@ -11,28 +11,29 @@
 
 #include "core/errors.h"
 #include "forcing/channels.h"
-#include "forcing/regime.h"
+#include "forcing/wind_schedule.h"
 
 namespace erg::session {
 
-/// Edits a regime where it stands. There is always at least one season; values outside their range are refused.
+/// Edits a schedule where it stands. There is always at least one season; values outside their range are refused.
 class WindEditor {
  public:
   /// `standard`: the wind that it goes back to, of one season.
-  explicit WindEditor(Regime& regime, Regime standard = {}) : regime_(&regime), standard_(std::move(standard)) {}
+  explicit WindEditor(WindSchedule& schedule, WindSchedule standard = {})
+      : schedule_(&schedule), standard_(std::move(standard)) {}
 
-  const Regime& regime() const { return *regime_; }
-  std::size_t seasons() const { return regime_->seasons.size(); }
-  const Season& season(std::size_t index) const { return regime_->seasons.at(index); }
+  const WindSchedule& schedule() const { return *schedule_; }
+  std::size_t seasons() const { return schedule_->intervals.size(); }
+  const WindInterval& season(std::size_t index) const { return schedule_->intervals.at(index); }
   /// A season at its defaults.
-  const Season& standard() const { return standard_.seasons.front(); }
+  const WindInterval& standard() const { return standard_.intervals.front(); }
 
   /// A copy of the season right behind it; returns the copy's index.
   std::size_t duplicate(std::size_t index);
   /// A season at its defaults at the end; returns its index.
   std::size_t add();
   /// Other seasons in their place; none: nothing changes.
-  void replace(std::vector<Season> seasons);
+  void replace(std::vector<WindInterval> seasons);
   /// Removes it; the last one that is left stays. False then.
   bool remove(std::size_t index);
   /// One place up (earlier) or down (later). False at the end of the list.
@@ -42,7 +43,7 @@ class WindEditor {
   void reset();
 
   /// The declarations of a season's values; their defaults are those of `standard`.
-  Declarations columns() const { return season_columns(standard()); }
+  Declarations columns() const { return interval_columns(standard()); }
   /// A season's value of one of them, but of the ends of its strength.
   ParameterValue value(std::size_t index, std::string_view key) const;
 
@@ -61,8 +62,8 @@ class WindEditor {
   std::optional<Mistake> set_curve(std::size_t index, const BezierCurve& curve) { return set(index, "curve", curve); }
 
  private:
-  Regime* regime_;
-  Regime standard_;
+  WindSchedule* schedule_;
+  WindSchedule standard_;
 };
 
 }  // namespace erg::session

@@ -137,30 +137,30 @@ class Assignment {
 
   /// Spread and hold of every season, the others of the only one.
   void set_wind(const std::string& key) {
-    std::vector<Season>& seasons = config_.wind.seasons;
+    std::vector<WindInterval>& seasons = config_.wind.intervals;
     const bool of_every = key == "spread" || key == "hold";
     if (!of_every && seasons.size() != 1) {
       throw InputError(place_, "the wind has " + std::to_string(seasons.size()) + " seasons",
                        "change them in the config");
     }
-    for (Season& season : seasons) set_in_season(season, key);
+    for (WindInterval& season : seasons) set_in_interval(season, key);
   }
 
-  void set_in_season(Season& season, const std::string& key) {
-    const Declarations columns = season_columns();
+  void set_in_interval(WindInterval& season, const std::string& key) {
+    const Declarations columns = interval_columns();
     const Parameter* column = columns.find(key);
     if (column == nullptr) {
       throw InputError(place_, "unknown key " + quote(key), suggestion(key, keys_of(columns)));
     }
     const Channel* channel = find_channel(key);
     if (channel != nullptr) check_used(*channel);
-    erg::set_in_season(season, key, parse_value(*column, value_, place_));
+    erg::set_in_interval(season, key, parse_value(*column, value_, place_));
   }
 
   void set_in_row(const RowKey& key) {
     if (key.list == "wind.seasons" || key.list == "seasons") {
-      check_number(key, config_.wind.seasons.size(), "season");
-      return set_in_season(config_.wind.seasons[key.number - 1], key.column);
+      check_number(key, config_.wind.intervals.size(), "season");
+      return set_in_interval(config_.wind.intervals[key.number - 1], key.column);
     }
     for (const ConfigGroup& group : config_groups()) {
       ParameterValues& values = config_.*group.values;

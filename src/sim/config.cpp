@@ -206,9 +206,9 @@ Mistake not_asked_for(const std::string& key, const std::string& model_key) {
   return {"", quote(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
 }
 
-Regime starting_wind(const ModelStart& start) {
-  Regime wind = Regime::constant(Season{}.bearing, start.strength);
-  wind.seasons.front().spread = start.spread;
+WindSchedule starting_wind(const ModelStart& start) {
+  WindSchedule wind = WindSchedule::constant(WindInterval{}.bearing, start.strength);
+  wind.intervals.front().spread = start.spread;
   return wind;
 }
 
@@ -276,13 +276,13 @@ void change_model(Config& config, const std::string& model_key) {
   const Config from(config.model);
   const Config to(model_key);
   for (const ConfigGroup& group : config_groups()) redeclare(config.*group.values, (to.*group.values).declarations());
-  Season& season = config.wind.seasons.front();
-  const Season& old_start = from.wind.seasons.front();
-  if (config.wind.seasons.size() == 1 && season.first == old_start.first && season.last == old_start.last) {
-    season.first = season.last = to.wind.seasons.front().first;
+  WindInterval& season = config.wind.intervals.front();
+  const WindInterval& old_start = from.wind.intervals.front();
+  if (config.wind.intervals.size() == 1 && season.first == old_start.first && season.last == old_start.last) {
+    season.first = season.last = to.wind.intervals.front().first;
   }
-  for (Season& each : config.wind.seasons) {
-    if (each.spread == old_start.spread) each.spread = to.wind.seasons.front().spread;
+  for (WindInterval& each : config.wind.intervals) {
+    if (each.spread == old_start.spread) each.spread = to.wind.intervals.front().spread;
   }
   config.model = model_key;
 }

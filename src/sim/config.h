@@ -7,7 +7,7 @@
 #include "core/binding.h"
 #include "core/terrain.h"
 #include "forcing/channels.h"
-#include "forcing/regime.h"
+#include "forcing/wind_schedule.h"
 #include "models/model.h"
 
 namespace erg::sim {
@@ -32,7 +32,7 @@ struct RunValues {
 const Binding<RunValues>& run_binding();
 
 /// The wind that a config has where it says nothing: one season, with the model's strength and spread.
-Regime starting_wind(const ModelStart& start);
+WindSchedule starting_wind(const ModelStart& start);
 
 /// One run, whole.
 struct Config {
@@ -49,7 +49,7 @@ struct Config {
   ParameterValues scene;
   ParameterValues run;
   ParameterValues parameters;  ///< the model's own
-  Regime wind;
+  WindSchedule wind;
   Weather weather;  ///< channels over the run, for models that use them
 
   bool operator==(const Config&) const = default;

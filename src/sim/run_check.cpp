@@ -37,10 +37,10 @@ std::optional<Mistake> row_mistake(const std::string& place, const std::function
   return std::nullopt;
 }
 
-std::optional<Mistake> wind_mistake(const Regime& wind) {
-  if (wind.seasons.empty()) return Mistake{"wind", "it has no season", "give at least one"};
-  const Declarations columns = season_columns();
-  for (const Season& season : wind.seasons) {
+std::optional<Mistake> wind_mistake(const WindSchedule& wind) {
+  if (wind.intervals.empty()) return Mistake{"wind", "it has no season", "give at least one"};
+  const Declarations columns = interval_columns();
+  for (const WindInterval& season : wind.intervals) {
     if (auto mistake = row_mistake("wind", [&] { row_of(season, columns); })) return mistake;
   }
   return std::nullopt;

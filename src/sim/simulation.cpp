@@ -61,10 +61,10 @@ void Simulation::start() {
   executor_ = make_executor(executor_options(run_));
 }
 
-WindNow Simulation::last_wind() const { return weather(std::max<std::int64_t>(0, state_.step - 1)); }
+Forcing Simulation::last_wind() const { return weather(std::max<std::int64_t>(0, state_.step - 1)); }
 
-WindNow Simulation::weather(std::int64_t step) const {
-  WindNow now = config_.wind.at(step, run_.seed);
+Forcing Simulation::weather(std::int64_t step) const {
+  Forcing now = config_.wind.at(step, run_.seed);
   const std::int64_t last = run_.steps - 1;
   const double past = last > 0 ? static_cast<double>(step) / static_cast<double>(last) : 0.0;
   for (const Channel& channel : channels()) {

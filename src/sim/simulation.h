@@ -46,9 +46,9 @@ class Simulation {
   /// Steps done.
   std::int64_t step_count() const { return state_.step; }
   /// The wind of the step to come.
-  WindNow wind() const { return weather(state_.step); }
+  Forcing wind() const { return weather(state_.step); }
   /// The wind of the last step done (of the first, before it).
-  WindNow last_wind() const;
+  Forcing last_wind() const;
   Executor& executor() { return *executor_; }
   const StepReport& totals() const { return state_.totals; }
   bool finished() const { return state_.totals.finished; }
@@ -72,7 +72,7 @@ class Simulation {
  private:
   void start();
   void wake();
-  WindNow weather(std::int64_t step) const;
+  Forcing weather(std::int64_t step) const;
   void begin_model(const HeightPicture* picture);
   void check_edit() const;
 

@@ -22,10 +22,10 @@ struct Case {
   std::int32_t rocks = 0;  ///< height, slabs; 0: none
   int steps = 4;
   int sweeps = 16;
-  std::vector<WindNow> winds = {};  ///< of the steps, in turn; empty: the world's
+  std::vector<Forcing> winds = {};  ///< of the steps, in turn; empty: the world's
 
   ExecutorOptions options() const { return {.name = "cpu", .threads = 2, .sweeps = sweeps, .lines_a_thread = 1}; }
-  WindNow wind(int step) const {
+  Forcing wind(int step) const {
     return winds.empty() ? world.model_wind() : winds[static_cast<std::size_t>(step) % winds.size()];
   }
 };

@@ -52,7 +52,7 @@ TEST_F(CudaDevice, GivesTheSameBitsForSnow) {
     Case large = scenes.front();
     large.name = "large, bearing " + std::to_string(bearing);
     large.world.extent = {700, 520};
-    for (WindNow& wind : large.winds) wind.bearing = bearing;
+    for (Forcing& wind : large.winds) wind.bearing = bearing;
     large.rocks = 60;
     large.steps = 40;
     scenes.push_back(large);

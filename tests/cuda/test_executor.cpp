@@ -25,7 +25,7 @@ StoryEnd slab_story(Executor& executor) {
     SlabLaw law = dynamic_cast<const SlabModel&>(*made).law(terrain);
     if (step % 2 == 0) cover.edit().fill(static_cast<std::uint8_t>(20 * (step / 2)));
     law.cover = &cover;
-    const WindNow wind{step < 3 ? 270.0 : 10.0, 3};
+    const Forcing wind{step < 3 ? 270.0 : 10.0, 3};
     move_slabs(executor, terrain, law, wind, {world.seed, static_cast<std::uint64_t>(step)});
     if (step == 3) executor.sync_to_host(terrain);
     end.hear(executor);

@@ -55,7 +55,7 @@ struct GrainRun {
     return terrain;
   }
 
-  StepReport steps(int count, WindNow wind) {
+  StepReport steps(int count, Forcing wind) {
     StepReport total;
     for (int k = 0; k < count; ++k) {
       total += model.step(terrain, wind, {5, step++}, *executor);

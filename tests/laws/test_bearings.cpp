@@ -27,8 +27,8 @@ DuneMap mean_barchan(double spread) {
           std::string("run.seed=") + seed}) {
       sim::set_from_text(config, setting);
     }
-    config.wind.seasons.front().bearing = bearing;
-    config.wind.seasons.front().spread = spread;
+    config.wind.intervals.front().bearing = bearing;
+    config.wind.intervals.front().spread = spread;
     sim::Simulation simulation(config);
     while (simulation.step_count() < steps) simulation.step();
     maps.push_back(analysis::dune_map(simulation.terrain(), bearing, 90));

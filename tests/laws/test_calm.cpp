@@ -43,11 +43,11 @@ TEST(Calm, IsASeasonBetweenWinds) {
     for (const char* executor : {"serial", "cpu"}) {
       SCOPED_TRACE(type.info.key + ", " + executor);
       Config config = small(type.info.key, executor);
-      Season wind = config.wind.seasons.front();
+      WindInterval wind = config.wind.intervals.front();
       wind.steps = 4;
-      Season calm = wind;
+      WindInterval calm = wind;
       calm.first = calm.last = 0;
-      config.wind.seasons = {calm, wind, calm};
+      config.wind.intervals = {calm, wind, calm};
       Simulation run(config);
       for (int step = 0; step < 4; ++step) run.step();
       EXPECT_EQ(run.totals().lifts, 0);

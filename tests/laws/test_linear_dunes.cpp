@@ -18,17 +18,17 @@ using sim::Simulation;
 
 namespace {
 
-Simulation momiji_under(const std::vector<Season>& seasons) {
+Simulation momiji_under(const std::vector<WindInterval>& seasons) {
   sim::Config config = test::configured("momiji", {"grid.nx=256", "grid.ny=160", "scene.sand=8", "run.executor=cpu"});
-  config.wind.seasons = seasons;
+  config.wind.intervals = seasons;
   Simulation simulation(config);
   for (int step = 0; step < 1500; ++step) simulation.step();
   return simulation;
 }
 
 TEST(LinearDunes, RunAlongTheMeanOfTwoWindsAndAreLong) {
-  Season one{210, 5, 5, 5, {}};
-  Season other{330, 5, 5, 5, {}};
+  WindInterval one{210, 5, 5, 5, {}};
+  WindInterval other{330, 5, 5, 5, {}};
   one.spread = other.spread = 10;
   Simulation simulation = momiji_under({one, other});
   const SpectrumNumbers crests = measure_spectrum(coarse_surface(simulation.terrain(), Layer::surface));
@@ -39,7 +39,7 @@ TEST(LinearDunes, RunAlongTheMeanOfTwoWindsAndAreLong) {
 }
 
 TEST(LinearDunes, OneWindMakesNone) {
-  Season one{270, 5, 5, 5, {}};
+  WindInterval one{270, 5, 5, 5, {}};
   one.spread = 10;
   Simulation simulation = momiji_under({one});
   const SpectrumNumbers crests = measure_spectrum(coarse_surface(simulation.terrain(), Layer::surface));

@@ -216,15 +216,15 @@ TEST(Plants, MoreGrassAndLessShrubKillThePlain) {
   EXPECT_LT(bared_share("0.2", "0.9"), 0.1) << "print's own plain outlives its blowouts";
 }
 
-/// Length along the mean wind over width of dunes under two winds 60 degrees apart, with and without plants: the mean of
-/// six runs.
+/// Length along the mean wind over width of dunes under two winds 60 degrees apart, with and without plants: the mean
+/// of six runs.
 double length_over_width(bool with_plants) {
   Config config =
       plants({"grid.nx=128", "grid.ny=128", "scene.sand=4", "parameters.mesquite_low=0", "run.executor=cpu"});
   if (!with_plants) {
     for (const char* species : {"grass=false", "mesquite=false"}) set_from_text(config, species);
   }
-  config.wind.seasons = {Season{240, 5, 5, 10, {}}, Season{300, 5, 5, 10, {}}};
+  config.wind.intervals = {WindInterval{240, 5, 5, 10, {}}, WindInterval{300, 5, 5, 10, {}}};
   double sum = 0;
   for (std::int64_t seed = 1; seed <= 6; ++seed) {
     config.run.set("seed", seed);

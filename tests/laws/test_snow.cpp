@@ -143,13 +143,13 @@ TEST(SnowSintering, AGaleTurnsTheWavesOfAStormIntoSastrugi) {
   Config config =
       configured("snow_sintering", {"grid.nx=64", "grid.ny=64", "grid.cell_size=0.1", "scene.sand=40", "run.seed=2"});
   const auto season = [](double wind, std::int64_t steps, double snowfall) {
-    Season one;
+    WindInterval one;
     one.first = one.last = wind;
     one.steps = steps;
     one.snowfall = snowfall;
     return one;
   };
-  config.wind.seasons = {season(12, 360, 2), season(2, 960, 0), season(17, 360, 0)};
+  config.wind.intervals = {season(12, 360, 2), season(2, 960, 0), season(17, 360, 0)};
   Simulation simulation(config);
   const auto after = [&](int steps) {
     for (int step = 0; step < steps; ++step) simulation.step();

@@ -32,7 +32,7 @@ struct World {
   Extent extent{48, 40};
   Boundary boundary = Boundary::torus;
   double inflow = 0;
-  WindNow wind{270, 5};
+  Forcing wind{270, 5};
   std::uint64_t seed = 7;
   std::vector<std::pair<std::string, ParameterValue>> settings = {};
   std::int32_t sand = 3;
@@ -68,9 +68,9 @@ struct World {
   /// Grains make ripples of centimetres.
   double cell_size() const { return moves_slabs() ? 1.0 : 0.01; }
   /// The wind as the model has it: cells a hop stand for m/s at a height of 10 m, within what nature has.
-  WindNow model_wind() const {
+  Forcing model_wind() const {
     if (model == "snow_sintering") return {wind.bearing, 14};
-    return moves_slabs() ? wind : WindNow{wind.bearing, std::clamp(1.6 * wind.strength, 8.0, 12.0)};
+    return moves_slabs() ? wind : Forcing{wind.bearing, std::clamp(1.6 * wind.strength, 8.0, 12.0)};
   }
 
   /// Runs `steps` steps and settles; the sum of what they did.
@@ -84,7 +84,7 @@ struct World {
     made->begin(terrain);
     StepReport total;
     for (int step = first_step; step < first_step + steps; ++step) {
-      WindNow now = model_wind();
+      Forcing now = model_wind();
       now.bearing = fold_bearing(now.bearing + wind_swing(spread, 0, seed, step));
       total += made->step(terrain, now, {seed, static_cast<std::uint64_t>(step)}, executor);
     }

@@ -101,12 +101,12 @@ TEST_F(EditsTest, AStrokeOnALandThatRunsIsOneUndo) {
 
 TEST_F(EditsTest, TheRoseKeepsWhatHasBlownWhateverIsSetLater) {
   Config config = small_config();
-  config.wind.seasons = {{.bearing = 270, .first = 5, .last = 5, .steps = 10, .curve = {}}};
+  config.wind.intervals = {{.bearing = 270, .first = 5, .last = 5, .steps = 10, .curve = {}}};
   constexpr std::size_t west = 12, south = 8;
   runner.create({config});
   runner.run(6);
   EXPECT_DOUBLE_EQ(still()->blown.sums[west], 30);
-  config.wind.seasons.front().bearing = 180;
+  config.wind.intervals.front().bearing = 180;
   runner.change({config});
   runner.run(4);
   const auto turned = still();
@@ -311,7 +311,7 @@ TEST_F(EditsTest, ComparedRunsGoByOneClock) {
 
 TEST_F(EditsTest, ComparedRunsNeedOneWindAndAtMostFour) {
   Config other = small_config();
-  other.wind = Regime::constant(180, 5);
+  other.wind = WindSchedule::constant(180, 5);
   runner.create({small_config(), other});
   EXPECT_FALSE(still()->has_runs());
   runner.create(std::vector<Config>(5, small_config()));

@@ -30,7 +30,7 @@ class Faulty : public SlabModel {
     if (begin_fails) throw std::runtime_error("no memory to begin with");
     SlabModel::begin(terrain);
   }
-  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
     const StepReport report = SlabModel::step(terrain, wind, key, executor);
     if (!step_fails) return report;
     executor.sync_to_host(terrain);

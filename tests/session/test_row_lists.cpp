@@ -119,16 +119,16 @@ TEST_F(RowLists, AreEditedInASetup) {
 
 TEST(SeasonRows, AreSetFromText) {
   Config config("snow_sintering");
-  config.wind.seasons.resize(2, config.wind.seasons.front());
+  config.wind.intervals.resize(2, config.wind.intervals.front());
   set_from_text(config, "wind.seasons[2].bearing=NE");
   set_from_text(config, "wind.seasons[2].last=9");
   set_from_text(config, "wind.seasons[2].snowfall=3");
   set_from_text(config, "seasons[1].steps=40");
-  EXPECT_EQ(config.wind.seasons[1].bearing, 45);
-  EXPECT_EQ(config.wind.seasons[1].first, Config("snow_sintering").wind.seasons.front().first);
-  EXPECT_EQ(config.wind.seasons[1].last, 9);
-  EXPECT_EQ(config.wind.seasons[1].snowfall, 3);
-  EXPECT_EQ(config.wind.seasons[0].steps, 40);
+  EXPECT_EQ(config.wind.intervals[1].bearing, 45);
+  EXPECT_EQ(config.wind.intervals[1].first, Config("snow_sintering").wind.intervals.front().first);
+  EXPECT_EQ(config.wind.intervals[1].last, 9);
+  EXPECT_EQ(config.wind.intervals[1].snowfall, 3);
+  EXPECT_EQ(config.wind.intervals[0].steps, 40);
   EXPECT_EQ(message([&] { set_from_text(config, "wind.seasons[3].steps=4"); }),
             "--set wind.seasons[3].steps=4: there is no season 3; expected 1 to 2");
   Config sand("momiji");

@@ -89,11 +89,11 @@ TEST(Setup, EachModelBeginsWhereItsFormsComeOut) {
   erg::session::Setup setup;
   setup.choose_model("grains");
   EXPECT_EQ(setup.config().grid.real("cell_size"), 0.01);
-  EXPECT_EQ(setup.config().wind.seasons.front().first, 10);
+  EXPECT_EQ(setup.config().wind.intervals.front().first, 10);
   setup.set("grid", "cell_size", 0.02);
   setup.choose_model("snow_sintering");
   EXPECT_EQ(setup.config().grid.real("cell_size"), 0.02) << "what was set stays";
-  EXPECT_EQ(setup.config().wind.seasons.front().last, 11);
+  EXPECT_EQ(setup.config().wind.intervals.front().last, 11);
   setup.reset_all();
   EXPECT_EQ(setup.config().grid.real("cell_size"), 0.1);
   setup.set("grid", "cell_size", 0.1);
@@ -167,14 +167,14 @@ TEST(Setup, WhatTakesEffectInARunLeavesTheRestAsItRuns) {
   const Config applied = setup.in_force_on(small_config());
   EXPECT_EQ(applied.grid.integer("nx"), 48);
   EXPECT_EQ(applied.parameters.real("p_bare"), 0.1);
-  EXPECT_EQ(applied.wind.seasons[0].bearing, 0);
+  EXPECT_EQ(applied.wind.intervals[0].bearing, 0);
   setup.choose_model("bishop");
   EXPECT_EQ(setup.in_force_on(small_config()), small_config());
 }
 
 TEST(WindEditor, SeasonsAreAddedMovedAndRemovedButNeverAll) {
-  Regime regime = Regime::constant(270, 5);
-  WindEditor wind(regime);
+  WindSchedule schedule = WindSchedule::constant(270, 5);
+  WindEditor wind(schedule);
   EXPECT_FALSE(wind.remove(0));
   EXPECT_EQ(wind.duplicate(0), 1u);
   ASSERT_FALSE(wind.set_bearing(1, "NNE").has_value());
@@ -190,9 +190,9 @@ TEST(WindEditor, SeasonsAreAddedMovedAndRemovedButNeverAll) {
 }
 
 TEST(WindEditor, InvalidValuesChangeNothing) {
-  Regime regime = Regime::constant(270, 5);
-  const Regime before = regime;
-  WindEditor wind(regime);
+  WindSchedule schedule = WindSchedule::constant(270, 5);
+  const WindSchedule before = schedule;
+  WindEditor wind(schedule);
   EXPECT_TRUE(wind.set_bearing(0, 361).has_value());
   EXPECT_TRUE(wind.set_bearing(0, std::nan("")).has_value());
   EXPECT_TRUE(wind.set_bearing(0, "upward").has_value());
@@ -202,17 +202,17 @@ TEST(WindEditor, InvalidValuesChangeNothing) {
   EXPECT_TRUE(wind.set(0, "snowfall", -1.0).has_value());
   EXPECT_TRUE(wind.set_curve(0, {{-0.1, 0}, {1, 1}}).has_value());
   EXPECT_TRUE(wind.set_curve(0, {{0, 0}, {1, 1.5}}).has_value());
-  EXPECT_EQ(regime, before);
+  EXPECT_EQ(schedule, before);
 }
 
 TEST(WindCycle, IsTheWindOfTheRun) {
-  const Regime regime{{{.bearing = 270, .first = 3, .last = 8, .steps = 10, .curve = {}},
-                       {.bearing = 180, .first = 8, .last = 8, .steps = 5, .curve = {}}}};
-  const WindCycle cycle = session::sample_cycle(regime, 15);
+  const WindSchedule schedule{{{.bearing = 270, .first = 3, .last = 8, .steps = 10, .curve = {}},
+                               {.bearing = 180, .first = 8, .last = 8, .steps = 5, .curve = {}}}};
+  const WindCycle cycle = session::sample_cycle(schedule, 15);
   ASSERT_EQ(cycle.steps.size(), 15u);
   for (std::size_t i = 0; i < 15; ++i) {
     EXPECT_EQ(cycle.steps[i], static_cast<std::int64_t>(i));
-    EXPECT_EQ(cycle.strengths[i], regime.at(cycle.steps[i]).strength);
+    EXPECT_EQ(cycle.strengths[i], schedule.at(cycle.steps[i]).strength);
   }
   EXPECT_EQ(cycle.season_starts, (std::vector<std::int64_t>{0, 10}));
   EXPECT_EQ(cycle.position(37), 7);
@@ -221,10 +221,10 @@ TEST(WindCycle, IsTheWindOfTheRun) {
 }
 
 TEST(WindRose, AddsUpWhatBlowsFromWhere) {
-  const Regime regime{{{.bearing = 270, .first = 3, .last = 3, .steps = 10, .curve = {}},
-                       {.bearing = 180, .first = 8, .last = 8, .steps = 5, .curve = {}}}};
+  const WindSchedule schedule{{{.bearing = 270, .first = 3, .last = 3, .steps = 10, .curve = {}},
+                               {.bearing = 180, .first = 8, .last = 8, .steps = 5, .curve = {}}}};
   // After 17 steps: a whole cycle (30 from W, 40 from S) and two more steps from W. At 30: two cycles.
-  const WindRose rose = wind_rose(regime, 17, 30, 8);
+  const WindRose rose = wind_rose(schedule, 17, 30, 8);
   EXPECT_DOUBLE_EQ(rose.blown[6], 36);
   EXPECT_DOUBLE_EQ(rose.blown[4], 40);
   EXPECT_DOUBLE_EQ(rose.to_blow[6], 24);
@@ -233,10 +233,11 @@ TEST(WindRose, AddsUpWhatBlowsFromWhere) {
 }
 
 TEST(WindRose, CountsTheSwingsOfASpread) {
-  const Regime regime{{{.bearing = 270, .first = 4, .last = 4, .steps = 1, .curve = {}, .snowfall = 0, .spread = 10}}};
+  const WindSchedule schedule{
+      {{.bearing = 270, .first = 4, .last = 4, .steps = 1, .curve = {}, .snowfall = 0, .spread = 10}}};
   // 8 sectors: swings beyond 22.5 degrees lie in the neighbours; none of 10 degrees does. Of 32 sectors the widest do.
-  EXPECT_DOUBLE_EQ(wind_rose(regime, 16, 16, 8).blown[6], 64);
-  const WindRose fine = wind_rose(regime, 16, 16, 32);
+  EXPECT_DOUBLE_EQ(wind_rose(schedule, 16, 16, 8).blown[6], 64);
+  const WindRose fine = wind_rose(schedule, 16, 16, 32);
   EXPECT_LT(fine.blown[24], 64);
   EXPECT_DOUBLE_EQ(fine.blown[23], fine.blown[25]) << "as often to the left as to the right";
   EXPECT_DOUBLE_EQ(fine.blown[22] + fine.blown[23] + fine.blown[24] + fine.blown[25] + fine.blown[26], 64);

@@ -38,9 +38,9 @@ void grow(PanelHand& panel) {
   config.grid.set("ny", side);
   config.run.set("steps", std::int64_t{600});
   config.run.set("threads", std::int64_t{1});
-  config.wind.seasons = {Season{270, 3, 8, 100, {{0.6, 0.05}, {0.5, 0.95}}}, Season{225, 8, 8, 50, {}},
-                         Season{292.5, 8, 4, 80, {}}};
-  for (Season& season : config.wind.seasons) season.spread = 10;
+  config.wind.intervals = {WindInterval{270, 3, 8, 100, {{0.6, 0.05}, {0.5, 0.95}}}, WindInterval{225, 8, 8, 50, {}},
+                           WindInterval{292.5, 8, 4, 80, {}}};
+  for (WindInterval& season : config.wind.intervals) season.spread = 10;
   panel.app.setup().replace(config);
   panel.app.create();
   panel.app.runner().run(pictures_wanted() ? 120 : 10);

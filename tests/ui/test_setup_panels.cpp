@@ -107,55 +107,55 @@ TEST(WindPanel, AConstantWindIsTurnedAndStrengthened) {
   PanelHand panel(make_wind_panel());
   panel.hand.drag("WIND/dial", {0.1f, 0.5f}, {0.5f, 0.05f});
   panel.hand.enter("WIND/strength", "7");
-  const Regime& wind = panel.app.setup().config().wind;
+  const WindSchedule& wind = panel.app.setup().config().wind;
   EXPECT_TRUE(wind.is_constant());
-  EXPECT_EQ(wind.seasons.front().bearing, 0);
-  EXPECT_EQ(wind.seasons.front().first, 7);
-  EXPECT_EQ(wind.seasons.front().last, 7);
+  EXPECT_EQ(wind.intervals.front().bearing, 0);
+  EXPECT_EQ(wind.intervals.front().first, 7);
+  EXPECT_EQ(wind.intervals.front().last, 7);
 }
 
 TEST(WindPanel, ASpreadIsSetTakenBackAndSwitchedOff) {
   PanelHand panel(make_wind_panel());
-  const auto season = [&]() -> const Season& { return panel.app.setup().config().wind.seasons.front(); };
+  const auto season = [&]() -> const WindInterval& { return panel.app.setup().config().wind.intervals.front(); };
   EXPECT_EQ(season().spread, natural_spread);
-  panel.hand.enter("WIND/" + season_columns().find("spread")->label, "25");
-  panel.hand.enter("WIND/" + season_columns().find("hold")->label, "9");
+  panel.hand.enter("WIND/" + interval_columns().find("spread")->label, "25");
+  panel.hand.enter("WIND/" + interval_columns().find("hold")->label, "9");
   EXPECT_EQ(season().spread, 25);
   EXPECT_EQ(season().hold, 9);
-  panel.hand.enter("WIND/" + season_columns().find("spread")->label, "0");
+  panel.hand.enter("WIND/" + interval_columns().find("spread")->label, "0");
   panel.hand.frames(2);
   EXPECT_EQ(season().spread, 0);
-  EXPECT_FALSE(panel.hand.has("WIND/" + season_columns().find("hold")->label)) << "nothing is held without a spread";
+  EXPECT_FALSE(panel.hand.has("WIND/" + interval_columns().find("hold")->label)) << "nothing is held without a spread";
 }
 
 TEST(WindPanel, SeasonsAreAddedCopiedMovedAndRemoved) {
   PanelHand panel(make_wind_panel());
-  const auto wind = [&]() -> const Regime& { return panel.app.setup().config().wind; };
+  const auto wind = [&]() -> const WindSchedule& { return panel.app.setup().config().wind; };
   panel.hand.click("SEASONS");
   panel.hand.click("ADD");
-  ASSERT_EQ(wind().seasons.size(), 2u);
+  ASSERT_EQ(wind().intervals.size(), 2u);
   panel.hand.enter("WIND/bearing", "NE");
-  EXPECT_EQ(wind().seasons[1].bearing, 45);
+  EXPECT_EQ(wind().intervals[1].bearing, 45);
   panel.hand.enter("first strength", "3");
   panel.hand.enter("last strength", "9");
   panel.hand.enter("length", "80");
-  EXPECT_EQ(wind().seasons[1].first, 3);
-  EXPECT_EQ(wind().seasons[1].last, 9);
-  EXPECT_EQ(wind().seasons[1].steps, 80);
+  EXPECT_EQ(wind().intervals[1].first, 3);
+  EXPECT_EQ(wind().intervals[1].last, 9);
+  EXPECT_EQ(wind().intervals[1].steps, 80);
   panel.hand.click("WIND/COPY");
-  ASSERT_EQ(wind().seasons.size(), 3u);
-  EXPECT_EQ(wind().seasons[2], wind().seasons[1]);
+  ASSERT_EQ(wind().intervals.size(), 3u);
+  EXPECT_EQ(wind().intervals[2], wind().intervals[1]);
   panel.hand.click("WIND/up");
   panel.hand.click("WIND/up");
-  EXPECT_EQ(wind().seasons[0].bearing, 45);
+  EXPECT_EQ(wind().intervals[0].bearing, 45);
   EXPECT_FALSE(panel.hand.place("WIND/up").enabled);
   panel.hand.click("WIND/down");
-  EXPECT_EQ(wind().seasons[1].bearing, 45);
+  EXPECT_EQ(wind().intervals[1].bearing, 45);
   panel.hand.click("season 1");
   panel.hand.click("WIND/REMOVE");
-  EXPECT_EQ(wind().seasons.size(), 2u);
+  EXPECT_EQ(wind().intervals.size(), 2u);
   panel.hand.click("WIND/REMOVE");
-  EXPECT_EQ(wind().seasons.size(), 1u);
+  EXPECT_EQ(wind().intervals.size(), 1u);
   EXPECT_FALSE(panel.hand.place("WIND/REMOVE").enabled) << "one season stays";
 }
 
@@ -166,10 +166,10 @@ TEST(WindPanel, TheStrengthCurveIsBentAndReset) {
   panel.hand.enter("last strength", "9");
   const ui::WidgetPlace box = panel.hand.place("curve/box");
   panel.hand.drag(panel.hand.place("curve/first").middle(), {box.high.x, box.high.y});
-  EXPECT_NEAR(panel.app.setup().config().wind.seasons[0].curve.first.x, 1, 0.01);
-  EXPECT_NEAR(panel.app.setup().config().wind.seasons[0].curve.first.y, 0, 0.01);
+  EXPECT_NEAR(panel.app.setup().config().wind.intervals[0].curve.first.x, 1, 0.01);
+  EXPECT_NEAR(panel.app.setup().config().wind.intervals[0].curve.first.y, 0, 0.01);
   panel.hand.click("curve/RESET");
-  EXPECT_EQ(panel.app.setup().config().wind.seasons[0].curve, BezierCurve{});
+  EXPECT_EQ(panel.app.setup().config().wind.intervals[0].curve, BezierCurve{});
 }
 
 TEST(WindPanel, ConstantAndBackLosesNoSeason) {
@@ -177,12 +177,12 @@ TEST(WindPanel, ConstantAndBackLosesNoSeason) {
   panel.hand.click("SEASONS");
   panel.hand.click("ADD");
   panel.hand.enter("WIND/bearing", "NE");
-  const std::vector<Season> before = panel.app.setup().config().wind.seasons;
+  const std::vector<WindInterval> before = panel.app.setup().config().wind.intervals;
   panel.hand.click("CONSTANT");
   EXPECT_TRUE(panel.app.setup().config().wind.is_constant());
-  EXPECT_EQ(panel.app.setup().config().wind.seasons.front().bearing, 45);
+  EXPECT_EQ(panel.app.setup().config().wind.intervals.front().bearing, 45);
   panel.hand.click("SEASONS");
-  EXPECT_EQ(panel.app.setup().config().wind.seasons, before);
+  EXPECT_EQ(panel.app.setup().config().wind.intervals, before);
 }
 
 }  // namespace

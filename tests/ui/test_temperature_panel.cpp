@@ -40,12 +40,12 @@ TEST(WindPanel, SnowFallsInASeasonOfAModelThatLetsIt) {
   for (const char* model : {"momiji", "snow_packing"}) {
     panel.app.setup().choose_model(model);
     panel.hand.frames(2);
-    EXPECT_FALSE(panel.hand.has("WIND/" + season_columns().find("snowfall")->label)) << model;
+    EXPECT_FALSE(panel.hand.has("WIND/" + interval_columns().find("snowfall")->label)) << model;
   }
   panel.app.setup().choose_model("snow_sintering");
   panel.hand.frames(2);
-  panel.hand.enter("WIND/" + season_columns().find("snowfall")->label, "3");
-  EXPECT_EQ(panel.app.setup().config().wind.seasons.front().snowfall, 3);
+  panel.hand.enter("WIND/" + interval_columns().find("snowfall")->label, "3");
+  EXPECT_EQ(panel.app.setup().config().wind.intervals.front().snowfall, 3);
 }
 
 }  // namespace

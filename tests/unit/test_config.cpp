@@ -87,8 +87,9 @@ TEST(Config, SetsValuesFromText) {
   EXPECT_EQ(config.run.integer("steps"), 20);
   EXPECT_EQ(config.grid.text("boundary"), "open");
   EXPECT_EQ(config.parameters.real("p_sand"), 0.5);
-  EXPECT_EQ(config.wind.seasons,
-            (std::vector<Season>{{.bearing = 225, .first = 7.5, .last = 7.5, .curve = {}, .spread = natural_spread}}));
+  EXPECT_EQ(
+      config.wind.intervals,
+      (std::vector<WindInterval>{{.bearing = 225, .first = 7.5, .last = 7.5, .curve = {}, .spread = natural_spread}}));
   EXPECT_EQ(config.title, "a = b");
   EXPECT_EQ(config.run.integer("sweeps"), 8);
 }
@@ -114,7 +115,8 @@ TEST(Config, AnotherModelStartsWithItsOwnCellsWindAndSand) {
   EXPECT_TRUE(config.grid.is_default("cell_size"));
   set_from_text(config, "wind.strength=8");
   set_from_text(config, "model=momiji");
-  EXPECT_EQ(config.wind.seasons, (std::vector<Season>{{.first = 8, .last = 8, .curve = {}, .spread = natural_spread}}))
+  EXPECT_EQ(config.wind.intervals,
+            (std::vector<WindInterval>{{.first = 8, .last = 8, .curve = {}, .spread = natural_spread}}))
       << "what was set stays, what was not is the new model's";
   EXPECT_EQ(config.scene.real("sand"), 50);
   EXPECT_EQ(config.grid.real("cell_size"), 1);
@@ -122,13 +124,13 @@ TEST(Config, AnotherModelStartsWithItsOwnCellsWindAndSand) {
 
 TEST(Config, ASpreadIsTheModelsOwnUntilItIsSet) {
   Config config("momiji");
-  config.wind.seasons.resize(2, config.wind.seasons.front());
+  config.wind.intervals.resize(2, config.wind.intervals.front());
   change_model(config, "grains");
-  for (const Season& season : config.wind.seasons) EXPECT_EQ(season.spread, 0);
+  for (const WindInterval& season : config.wind.intervals) EXPECT_EQ(season.spread, 0);
   set_from_text(config, "wind.spread=25");
   set_from_text(config, "wind.hold=7");
   change_model(config, "momiji");
-  for (const Season& season : config.wind.seasons) {
+  for (const WindInterval& season : config.wind.intervals) {
     EXPECT_EQ(season.spread, 25);
     EXPECT_EQ(season.hold, 7);
   }
@@ -151,12 +153,12 @@ TEST(Config, WeatherThatTheModelDoesNotAskForIsRefusedAndNotWritten) {
 
   Config config("snow_sintering");  // as a setup of the window, whose model may change
   config.weather.temperature.last = -2;
-  config.wind.seasons.front().snowfall = 3;
+  config.wind.intervals.front().snowfall = 3;
   EXPECT_EQ(parse_config(config_text(config), "a.json"), config);
   change_model(config, "momiji");
   const Config read = parse_config(config_text(config), "a.json");
   EXPECT_EQ(read.weather, Weather{});
-  EXPECT_EQ(read.wind.seasons.front().snowfall, 0);
+  EXPECT_EQ(read.wind.intervals.front().snowfall, 0);
 }
 
 TEST(Config, MistakesInAssignmentsTeach) {
@@ -177,15 +179,16 @@ TEST(Config, MistakesInAssignmentsTeach) {
 
 TEST(Config, AWindOfSeasonsIsNotSetFromText) {
   Config config;
-  config.wind.seasons = {Season{}, Season{}};
+  config.wind.intervals = {WindInterval{}, WindInterval{}};
   EXPECT_EQ(set_message("bearing=W", config), "--set bearing=W: the wind has 2 seasons; change them in the config");
 }
 
 TEST(Config, ChangingTheStrengthKeepsTheSeason) {
   Config config;
-  config.wind.seasons = {{.bearing = 10, .first = 3, .last = 8, .steps = 80, .curve = {}}};
+  config.wind.intervals = {{.bearing = 10, .first = 3, .last = 8, .steps = 80, .curve = {}}};
   set_from_text(config, "strength=4");
-  EXPECT_EQ(config.wind.seasons.front(), (Season{.bearing = 10, .first = 4, .last = 4, .steps = 80, .curve = {}}));
+  EXPECT_EQ(config.wind.intervals.front(),
+            (WindInterval{.bearing = 10, .first = 4, .last = 4, .steps = 80, .curve = {}}));
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ Config random_config(std::mt19937& random) {
   if (const Parameter* wanted = wanted_path(config.parameters)) {
     config.parameters.set(std::string(wanted->key), std::string("plants.png"));
   }
-  config.wind.seasons.assign(1 + below(3), Season{});
-  for (Season& season : config.wind.seasons) {
+  config.wind.intervals.assign(1 + below(3), WindInterval{});
+  for (WindInterval& season : config.wind.intervals) {
     season.bearing = 360 * unit();
     season.first = 0.1 + 10 * unit();
     season.last = below(2) == 0 ? season.first : 0.1 + 10 * unit();
@@ -89,11 +89,11 @@ TEST_F(ConfigFile, WhatIsLeftOutIsAsTheModelStarts) {
   EXPECT_EQ(bare, Config("grains"));
   EXPECT_EQ(bare.grid.real("cell_size"), 0.01);
   EXPECT_EQ(bare.scene.real("sand"), 200);
-  EXPECT_EQ(bare.wind, Regime::constant(270, 10));
+  EXPECT_EQ(bare.wind, WindSchedule::constant(270, 10));
   const Config south =
       parse_config(R"({"erg": 1, "model": "grains", "wind": {"seasons": [{"bearing": 180}, {"first": 7}]}})", "a.json");
-  EXPECT_EQ(south.wind.seasons[0], (Season{180, 10, 10, 1, {}}));
-  EXPECT_EQ(south.wind.seasons[1], (Season{270, 7, 7, 1, {}}));
+  EXPECT_EQ(south.wind.intervals[0], (WindInterval{180, 10, 10, 1, {}}));
+  EXPECT_EQ(south.wind.intervals[1], (WindInterval{270, 7, 7, 1, {}}));
   for (const std::string& model : model_keys()) {
     EXPECT_EQ(parse_config(config_text(Config(model)), "a.json"), Config(model)) << model;
   }
@@ -120,29 +120,29 @@ TEST_F(ConfigFile, ReadsEverything) {
   EXPECT_TRUE(config.parameters.boolean("forced_erosion"));
   EXPECT_EQ(config.run.integer("seed"), std::int64_t{1} << 53);
   EXPECT_EQ(config.run.integer("sweeps"), 8);
-  ASSERT_EQ(config.wind.seasons.size(), 2u);
-  EXPECT_EQ(config.wind.seasons[0], (Season{45, 5, 8, 80, {{0.3, 0.1}, {0.7, 0.9}}, 0, natural_spread}));
-  EXPECT_EQ(config.wind.seasons[1], (Season{270, 3, 3, 2, {}, 0, natural_spread}));
+  ASSERT_EQ(config.wind.intervals.size(), 2u);
+  EXPECT_EQ(config.wind.intervals[0], (WindInterval{45, 5, 8, 80, {{0.3, 0.1}, {0.7, 0.9}}, 0, natural_spread}));
+  EXPECT_EQ(config.wind.intervals[1], (WindInterval{270, 3, 3, 2, {}, 0, natural_spread}));
 }
 
 TEST_F(ConfigFile, OneEndOfTheStrengthStandsForBoth) {
   const Config config =
       parse_config(R"({"erg": 1, "model": "momiji", "wind": {"seasons": [{"first": 7}, {"last": 8}, {}]}})", "a.json");
-  const std::vector<Season>& seasons = config.wind.seasons;
+  const std::vector<WindInterval>& seasons = config.wind.intervals;
   EXPECT_EQ(std::pair(seasons[0].first, seasons[0].last), std::pair(7.0, 7.0));
   EXPECT_EQ(std::pair(seasons[1].first, seasons[1].last), std::pair(8.0, 8.0));
-  EXPECT_EQ(seasons[2], Config("momiji").wind.seasons.front());
+  EXPECT_EQ(seasons[2], Config("momiji").wind.intervals.front());
 }
 
 TEST_F(ConfigFile, ASpreadStandsBesideAConstantWindOrInASeason) {
   const Config constant =
       parse_config(R"({"erg": 1, "model": "grains", "wind": {"bearing": "N", "spread": 25, "hold": 9}})", "a.json");
-  EXPECT_EQ(constant.wind.seasons,
-            (std::vector<Season>{{.bearing = 0, .first = 10, .last = 10, .curve = {}, .spread = 25, .hold = 9}}));
+  EXPECT_EQ(constant.wind.intervals,
+            (std::vector<WindInterval>{{.bearing = 0, .first = 10, .last = 10, .curve = {}, .spread = 25, .hold = 9}}));
   const Config seasons =
       parse_config(R"({"erg": 1, "model": "momiji", "wind": {"seasons": [{"spread": 0}, {"hold": 2}]}})", "a.json");
-  EXPECT_EQ(seasons.wind.seasons,
-            (std::vector<Season>{{.curve = {}, .spread = 0}, {.curve = {}, .spread = natural_spread, .hold = 2}}));
+  EXPECT_EQ(seasons.wind.intervals, (std::vector<WindInterval>{{.curve = {}, .spread = 0},
+                                                               {.curve = {}, .spread = natural_spread, .hold = 2}}));
   EXPECT_EQ(mistakes(R"({"erg": 1, "model": "momiji", "wind": {"spread": -1, "hold": 0.5}})"),
             "a.json:1: spread is -1; expected 0 to 60 °\n"
             "a.json:1: hold is 0.5; expected a whole number, 1 to 1000000000 steps");
@@ -310,7 +310,7 @@ TEST_F(ConfigFile, SavesWhatDiffersAndWhatAReaderLooksFor) {
 
 TEST_F(ConfigFile, ASteadySeasonKeepsItsLength) {
   Config config;
-  config.wind.seasons = {Season{270, 5, 5, 80, {}}};
+  config.wind.intervals = {WindInterval{270, 5, 5, 80, {}}};
   EXPECT_EQ(parse_config(config_text(config), "a.json").wind, config.wind);
 }
 

@@ -91,7 +91,7 @@ TEST(TableOfAnotherRun, IsNotGoneOnWith) {
   other = config;
   other.run.set("steps", std::int64_t{5000});
   other.run.set("executor", std::string("serial"));
-  other.wind = Regime::constant(90, 7);
+  other.wind = WindSchedule::constant(90, 7);
   EXPECT_EQ(resumed(folder / "t.csv", other), "no error");
   // A table without a head tells nothing.
   write_bytes(folder / "bare.csv", "step\n0\n");
@@ -102,10 +102,10 @@ TEST(TableOfAnotherRun, IsKnownByAConfigThatLiesBesideIt) {
   const TemporaryFolder folder;
   Config config;
   for (int k = 0; k < 500; ++k) {
-    Season season;
+    WindInterval season;
     season.bearing = k % 360;
     season.first = season.last = 4;
-    config.wind.seasons.push_back(season);
+    config.wind.intervals.push_back(season);
   }
   { TableFile(folder / "t.csv", {"step"}, run_of(config)).add(std::vector<double>{0.0}); }
   EXPECT_EQ(resumed(folder / "t.csv", config), "no error");

@@ -60,7 +60,7 @@ TEST(Picture, EveryExtentCanBeDrawn) {
     for (const Boundary boundary : {Boundary::torus, Boundary::open}) {
       PictureOptions options;
       options.pixels = 100;
-      options.wind = WindNow{};
+      options.wind = Forcing{};
       const RgbImage image = draw_picture(Terrain(extent, 1, 1, boundary), options);
       EXPECT_GE(image.width, io::smallest_legend);
       EXPECT_GT(image.height, legend_height);
@@ -146,7 +146,7 @@ TEST(Legend, TheArrowPointsDownwind) {
   const auto ink_centre = [](double bearing) {
     PictureOptions with;
     with.pixels = 400;
-    with.wind = WindNow{bearing, 5};
+    with.wind = Forcing{bearing, 5};
     RgbImage image(400, legend_height);
     io::draw_legend(image, 1.0, with);
     const int left =

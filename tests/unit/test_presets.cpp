@@ -101,9 +101,9 @@ TEST(Presets, PublishedRunsHaveThePrintedSettings) {
       EXPECT_EQ(config.parameters.real("quadratic"), 0.002);
     }
     EXPECT_EQ(config.run.integer("steps"), run.steps);
-    ASSERT_EQ(config.wind.seasons.size(), run.bearings.size());
+    ASSERT_EQ(config.wind.intervals.size(), run.bearings.size());
     for (std::size_t i = 0; i < run.bearings.size(); ++i) {
-      EXPECT_EQ(config.wind.seasons[i], (Season{run.bearings[i], run.strength, run.strength, run.season, {}}));
+      EXPECT_EQ(config.wind.intervals[i], (WindInterval{run.bearings[i], run.strength, run.strength, run.season, {}}));
     }
   }
 }
@@ -125,15 +125,15 @@ TEST(Presets, SzaboHasThreeWindsAndFourGrounds) {
     EXPECT_EQ(config.grid.integer("ny"), 256);
     EXPECT_EQ(config.scene.text("kind"), kind);
     EXPECT_EQ(config.scene.real("sand"), 500);
-    EXPECT_EQ(config.wind, Regime::constant(270, wind));
+    EXPECT_EQ(config.wind, WindSchedule::constant(270, wind));
   }
 }
 
 TEST(Presets, SnowThatThawsFollowsThePrintedRamp) {
   const Config config = thesis("snow_thaw");
   EXPECT_EQ(config.model, "snow_packing");
-  EXPECT_EQ(config.wind.seasons.at(0).bearing, 270);
-  EXPECT_LT(config.wind.seasons[0].first, config.wind.seasons[0].last);
+  EXPECT_EQ(config.wind.intervals.at(0).bearing, 270);
+  EXPECT_LT(config.wind.intervals[0].first, config.wind.intervals[0].last);
 }
 
 TEST(Presets, ForcedWernerRunHasItsOwnProbabilities) {

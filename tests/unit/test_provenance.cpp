@@ -27,9 +27,9 @@ namespace fs = std::filesystem;
 /// A config whose wind has so many seasons, as a record of years has.
 Config of_seasons(int count) {
   Config config;
-  config.wind.seasons.clear();
+  config.wind.intervals.clear();
   for (int k = 0; k < count; ++k) {
-    config.wind.seasons.push_back({k * 7 % 360 + 0.5, 3.0 + k % 5, 4, 3, {}});
+    config.wind.intervals.push_back({k * 7 % 360 + 0.5, 3.0 + k % 5, 4, 3, {}});
   }
   return config;
 }

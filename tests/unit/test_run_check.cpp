@@ -179,16 +179,16 @@ TEST(LibraryUse, AConfigWhoseModelWasSwappedByHandIsRefused) {
 
 TEST(LibraryUse, WeatherThatCannotBeIsRefused) {
   const std::vector<std::function<void(Config&)>> faults{
-      [](Config& config) { config.wind.seasons.clear(); },
-      [](Config& config) { config.wind.seasons.front().steps = 0; },
-      [](Config& config) { config.wind.seasons.front().steps = -7; },
-      [](Config& config) { config.wind.seasons.front().first = nan; },
-      [](Config& config) { config.wind.seasons.front().last = 1e300; },
-      [](Config& config) { config.wind.seasons.front().bearing = nan; },
-      [](Config& config) { config.wind.seasons.front().spread = nan; },
-      [](Config& config) { config.wind.seasons.front().hold = 0; },
-      [](Config& config) { config.wind.seasons.front().snowfall = -1; },
-      [](Config& config) { config.wind.seasons.front().curve.first.x = nan; },
+      [](Config& config) { config.wind.intervals.clear(); },
+      [](Config& config) { config.wind.intervals.front().steps = 0; },
+      [](Config& config) { config.wind.intervals.front().steps = -7; },
+      [](Config& config) { config.wind.intervals.front().first = nan; },
+      [](Config& config) { config.wind.intervals.front().last = 1e300; },
+      [](Config& config) { config.wind.intervals.front().bearing = nan; },
+      [](Config& config) { config.wind.intervals.front().spread = nan; },
+      [](Config& config) { config.wind.intervals.front().hold = 0; },
+      [](Config& config) { config.wind.intervals.front().snowfall = -1; },
+      [](Config& config) { config.wind.intervals.front().curve.first.x = nan; },
       [](Config& config) { config.weather.temperature.first = nan; },
       [](Config& config) { config.weather.temperature.curve.second.y = 5; }};
   for (std::size_t fault = 0; fault < faults.size(); ++fault) {

@@ -26,7 +26,7 @@ TEST(StepTime, OfSlabModelsFollowsFromTheSandThatPasses) {
     EXPECT_NEAR(step_scale(config).seconds, scale.seconds / 2, 1e-3) << "twice the sand, half the time";
     config.parameters.set("slab_height", 0.1);
     config.grid.set("cell_size", 2.0);
-    config.wind = Regime::constant(0, 10);
+    config.wind = WindSchedule::constant(0, 10);
     config.parameters.set("p_sand", 0.3);
     EXPECT_NEAR(step_scale(config).flux, 10 / 0.3 * 0.1 * 2, 1e-9);
     config.parameters.set("p_sand", 0.0);
@@ -66,9 +66,9 @@ TEST(StepTime, IsWhatTheModelSays) {
 
 TEST(StepTime, BelongsToTheMeanStrengthOfSeasons) {
   Config config("werner");
-  Season strong{.bearing = 270, .first = 8, .last = 8, .steps = 10, .curve = {}};
-  Season weak{.bearing = 90, .first = 2, .last = 2, .steps = 10, .curve = {}};
-  config.wind = Regime{{strong, weak}};
+  WindInterval strong{.bearing = 270, .first = 8, .last = 8, .steps = 10, .curve = {}};
+  WindInterval weak{.bearing = 90, .first = 2, .last = 2, .steps = 10, .curve = {}};
+  config.wind = WindSchedule{{strong, weak}};
   EXPECT_NEAR(step_scale(config).seconds, step_scale(Config("werner")).seconds, 1e-6) << "5 on the mean";
 }
 

@@ -72,7 +72,7 @@ TEST(Window, APresetIsOpenedGrownChangedSavedAndDrawn) {
   hand.wait_for_file(folder / "mine.json");
   const sim::Config saved = read_config(folder / "mine.json");
   EXPECT_EQ(saved.grid.integer("nx"), 96);
-  EXPECT_FALSE(saved.wind.seasons.front().curve == BezierCurve{});
+  EXPECT_FALSE(saved.wind.intervals.front().curve == BezierCurve{});
 
   hand.wait_for("RUN/step");  // the 200 steps are done
   save_small_picture(hand);
@@ -225,7 +225,7 @@ TEST_F(SmallTerrain, ADecimalCommaIsADecimalPoint) {
   hand.wait_for_file(folder / "small.json");
   hand.key("ctrl+q");
   EXPECT_EQ(hand.wait(), 0) << hand.errors();
-  EXPECT_EQ(read_config(folder / "small.json").wind.seasons.front().first, 2.5);
+  EXPECT_EQ(read_config(folder / "small.json").wind.intervals.front().first, 2.5);
 }
 
 /// Makes two monitors of a screen, side by side: a usual one and one with twice as many pixels an inch.

@@ -31,7 +31,7 @@ struct Scene {
   std::string name;
   Terrain terrain;
   SlabLaw law;
-  WindNow wind;
+  Forcing wind;
 };
 
 /// A law of slabs on an executor with its own copy of the terrain.
@@ -128,7 +128,7 @@ std::vector<ExecutorOptions> measured_options(const BenchOptions& options, bool 
 
 Scene grow(const std::string& model, const std::string& kind, const BenchOptions& options) {
   Config config = bench_config(model, options.grid, {"scene.kind=" + kind, "run.executor=cpu"});
-  config.wind.seasons.front().bearing = options.bearing;
+  config.wind.intervals.front().bearing = options.bearing;
   sim::Simulation simulation(config);
   const auto& slab_model = dynamic_cast<const SlabModel&>(simulation.model());
   std::fprintf(stderr, "bench: growing %s dunes on %s, %d x %d cells\n", model.c_str(), kind.c_str(), options.grid,

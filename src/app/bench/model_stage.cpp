@@ -45,7 +45,7 @@ std::vector<ModelScene> grow_scenes(const std::string& model, const BenchOptions
   for (const Recipe& recipe : recipes(model)) {
     sim::Config config = bench_config(model, options.grid, recipe.settings);
     set_from_text(config, "run.executor=cpu");
-    config.wind.seasons.front().bearing = fold_bearing(options.bearing + recipe.turn);
+    config.wind.intervals.front().bearing = fold_bearing(options.bearing + recipe.turn);
     std::fprintf(stderr, "bench: growing %s of %s, %d x %d cells\n", recipe.name, model.c_str(), options.grid,
                  options.grid);
     Simulation simulation(config);

@@ -14,8 +14,9 @@ namespace erg::app {
 struct DuneWatchOptions {
   std::optional<std::int32_t> least;     ///< DuneRule::least; none: the usual rule's
   std::optional<std::int64_t> smallest;  ///< DuneRule::smallest; none: the usual one
-  std::optional<double> bearing;  ///< along which wind dunes are measured; none: Regime's resultant, or the last wind
-  std::int64_t follow = 20;       ///< steps over which dunes are followed for their speed; 0: not
+  std::optional<double>
+      bearing;               ///< along which wind dunes are measured; none: WindSchedule's resultant, or the last wind
+  std::int64_t follow = 20;  ///< steps over which dunes are followed for their speed; 0: not
 };
 
 /// Watches one run, which must outlive it.

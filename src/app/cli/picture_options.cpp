@@ -96,7 +96,7 @@ PicturePlan plan_picture(const PictureRequest& request, const render::TerrainVie
 
 RunView::RunView(sim::Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
-  const WindNow wind = simulation.last_wind();
+  const Forcing wind = simulation.last_wind();
   shadow_ = shadow_field(terrain, wind.bearing, simulation.model().shadow_fall(terrain.cell_size()));
   view_.terrain = &terrain;
   view_.fields = {&shadow_};

@@ -66,8 +66,8 @@ BarchanRun grow_barchan(const BarchanLook& scene, int steps, int seed) {
     set_from_text(config, setting);
   }
   for (const std::string& setting : cone_of(scene.model)) set_from_text(config, setting);
-  config.wind.seasons.front().bearing = scene.bearing;
-  config.wind.seasons.front().spread = scene.spread;
+  config.wind.intervals.front().bearing = scene.bearing;
+  config.wind.intervals.front().spread = scene.spread;
   Simulation simulation(config);
   const auto step_to = [&](int step) {
     while (simulation.step_count() < step) simulation.step();
@@ -185,12 +185,12 @@ SpectrumNumbers crests_of(const std::string& model, double spread, double middle
                                      std::string("run.threads=1"), "run.seed=" + std::to_string(seed)}) {
     set_from_text(config, setting);
   }
-  Season season = config.wind.seasons.front();
+  WindInterval season = config.wind.intervals.front();
   season.steps = 10;
   season.spread = spread;
   season.bearing = fold_bearing(middle + 30);
-  config.wind.seasons = {season, season};
-  config.wind.seasons[1].bearing = fold_bearing(middle - 30);
+  config.wind.intervals = {season, season};
+  config.wind.intervals[1].bearing = fold_bearing(middle - 30);
   Simulation simulation(config);
   while (simulation.step_count() < steps) simulation.step();
   return analysis::measure_spectrum(analysis::coarse_surface(simulation.terrain(), analysis::Layer::surface));
@@ -256,8 +256,8 @@ std::string barchan_fields(const ValidationOptions& options) {
                                               std::string("parameters.polling=") + field.polling}) {
           set_from_text(config, assignment);
         }
-        config.wind.seasons.front().bearing = bearing;
-        config.wind.seasons.front().spread = spread;
+        config.wind.intervals.front().bearing = bearing;
+        config.wind.intervals.front().spread = spread;
         config.title = std::string(field.model) + " barchans, wind from " + fixed_text(bearing, 0) + ", spread " +
                        fixed_text(spread, 0) + ", " + field.polling;
         const std::vector<SeedRun> runs = run_seeds(config, "cpu", seeds);

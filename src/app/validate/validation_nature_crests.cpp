@@ -74,13 +74,13 @@ CrestRun crest_run(const CrestScene& scene, TwoWinds winds, int season, double m
   const std::string side = std::to_string(scene.side);
   sim::Config config = nature_config(
       scene.model, {"grid.nx=" + side, "grid.ny=" + side, "scene.sand=10", "run.seed=" + std::to_string(seed)});
-  Season first = config.wind.seasons.at(0);
-  Season second = first;
+  WindInterval first = config.wind.intervals.at(0);
+  WindInterval second = first;
   first.bearing = fold_bearing(middle + winds.divergence / 2);
   first.steps = std::llround(season * winds.ratio);
   second.bearing = fold_bearing(middle - winds.divergence / 2);
   second.steps = season;
-  config.wind.seasons = {first, second};
+  config.wind.intervals = {first, second};
   sim::Simulation simulation(config);
   const std::int64_t cycle = first.steps + second.steps;
   while (simulation.step_count() < scene.steps || simulation.step_count() % cycle != 0) simulation.step();

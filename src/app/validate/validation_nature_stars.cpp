@@ -20,12 +20,12 @@ StarArms star_run(const StarScene& scene, int winds, int season, int steps, int 
   std::vector<std::string> settings{"grid.nx=192", "grid.ny=192", "scene.sand=0", "run.seed=" + std::to_string(seed)};
   settings.insert(settings.end(), scene.settings.begin(), scene.settings.end());
   sim::Config config = nature_config(scene.model, settings);
-  Season one = config.wind.seasons.at(0);
+  WindInterval one = config.wind.intervals.at(0);
   one.steps = season;
-  config.wind.seasons.clear();
+  config.wind.intervals.clear();
   for (int wind = 0; wind < winds; ++wind) {
     one.bearing = fold_bearing(20 + 360.0 * wind / winds);  // none along an axis of the grid
-    config.wind.seasons.push_back(one);
+    config.wind.intervals.push_back(one);
   }
   sim::Simulation simulation = lone_cones(config, {{96, 96, 72}});
   while (simulation.step_count() < steps) simulation.step();

@@ -24,7 +24,7 @@ Config ripple_config(const std::string& strength_is, double strength, double bea
         "parameters.strength_is=" + strength_is, "run.steps=" + std::to_string(steps)}) {
     sim::set_from_text(config, assignment);
   }
-  config.wind = Regime::constant(bearing, strength);
+  config.wind = WindSchedule::constant(bearing, strength);
   config.title = "ripples, " + strength_is + " " + fixed_text(strength, 1) + " from " + fixed_text(bearing, 0);
   return config;
 }

@@ -295,14 +295,14 @@ class ConfigReader {
   void read_wind(const JsonNode& node, bool model_known) {
     const JsonNode::Object* wind = object(node, "wind");
     if (wind == nullptr) return;
-    const Season standard = sim::starting_wind(info().start).seasons.front();
+    const WindInterval standard = sim::starting_wind(info().start).intervals.front();
     const Declarations constant = constant_wind_columns(standard);
     std::vector<std::string> known = keys_of(constant);
     known.emplace_back("seasons");
     check_keys(*wind, known);
     const JsonNode* seasons = find(*wind, "seasons");
     if (seasons == nullptr) {
-      config().wind.seasons.front() = season_of(read_values(*wind, constant));
+      config().wind.intervals.front() = interval_of(read_values(*wind, constant));
       return;
     }
     for (const Parameter& column : constant) {
@@ -312,12 +312,12 @@ class ConfigReader {
     }
     const JsonNode::Array* list = entries(*seasons, "seasons", "season");
     if (list == nullptr) return;
-    const Declarations columns = season_columns(standard);
-    config().wind.seasons.clear();
-    for (const JsonNode& entry : *list) config().wind.seasons.push_back(read_season(entry, columns, model_known));
+    const Declarations columns = interval_columns(standard);
+    config().wind.intervals.clear();
+    for (const JsonNode& entry : *list) config().wind.intervals.push_back(read_interval(entry, columns, model_known));
   }
 
-  Season read_season(const JsonNode& node, const Declarations& columns, bool model_known) {
+  WindInterval read_interval(const JsonNode& node, const Declarations& columns, bool model_known) {
     if (const JsonNode::Object* members = node.object()) {
       const JsonNode* same = find(*members, "strength");
       if (same != nullptr && (find(*members, "first") != nullptr || find(*members, "last") != nullptr)) {
@@ -325,11 +325,11 @@ class ConfigReader {
                        "keep \"strength\" for one that does not change, else \"first\" and \"last\"");
       }
       for (const Channel& channel : channels()) {
-        const JsonNode* given = channel.of_season != nullptr ? find(*members, channel.declared.key) : nullptr;
+        const JsonNode* given = channel.of_interval != nullptr ? find(*members, channel.declared.key) : nullptr;
         if (given != nullptr && model_known) check_used(*given, channel);
       }
     }
-    return season_of(read_row(node, "season", columns));
+    return interval_of(read_row(node, "season", columns));
   }
 
   /// Those of the declared values that stand among the members; the others have their defaults.

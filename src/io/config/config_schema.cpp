@@ -120,8 +120,8 @@ Json group_schema(const Parameters& declared) {
   return object_schema(std::move(properties));
 }
 
-Json season_schema() {
-  Json schema = group_schema(season_columns());
+Json interval_schema() {
+  Json schema = group_schema(interval_columns());
   const Json has_first = {{"required", {"first"}}};
   const Json has_last = {{"required", {"last"}}};
   schema["if"] = {{"required", {"strength"}}};
@@ -131,7 +131,7 @@ Json season_schema() {
 
 Json wind_schema() {
   Json list = {{"type", "array"}, {"minItems", 1}};
-  list["items"] = season_schema();
+  list["items"] = interval_schema();
   Json seasons;
   seasons["seasons"] = std::move(list);
   Json schema;

@@ -34,10 +34,10 @@ Json group_json(const std::string& group, const ParameterValues& values) {
 }
 
 /// A reader refuses what the model does not use.
-Season used_of(Season season, const ModelInfo& model) {
+WindInterval used_of(WindInterval season, const ModelInfo& model) {
   for (const Channel& channel : channels()) {
-    if (channel.of_season == nullptr || uses_channel(model.channels, channel)) continue;
-    season.*channel.of_season = std::get<double>(channel.declared.default_value);
+    if (channel.of_interval == nullptr || uses_channel(model.channels, channel)) continue;
+    season.*channel.of_interval = std::get<double>(channel.declared.default_value);
   }
   return season;
 }
@@ -47,17 +47,17 @@ Json course_json(const Course& course, const Channel& channel) {
   return row_json(row_of(course, channel));
 }
 
-Json wind_json(const Regime& wind, const ModelInfo& model) {
-  const Season standard = sim::starting_wind(model.start).seasons.front();
-  const Season& only = wind.seasons.front();
-  Regime constant = Regime::constant(only.bearing, only.first);
-  constant.seasons.front().spread = only.spread;
-  constant.seasons.front().hold = only.hold;
+Json wind_json(const WindSchedule& wind, const ModelInfo& model) {
+  const WindInterval standard = sim::starting_wind(model.start).intervals.front();
+  const WindInterval& only = wind.intervals.front();
+  WindSchedule constant = WindSchedule::constant(only.bearing, only.first);
+  constant.intervals.front().spread = only.spread;
+  constant.intervals.front().hold = only.hold;
   if (wind == constant) return row_json(row_of(only, constant_wind_columns(standard)));
-  const Declarations columns = season_columns(standard);
+  const Declarations columns = interval_columns(standard);
   Json json;
   json["seasons"] = Json::array();
-  for (const Season& season : wind.seasons) {
+  for (const WindInterval& season : wind.intervals) {
     json["seasons"].push_back(row_json(row_of(used_of(season, model), columns)));
   }
   return json;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/terrain.h"
-#include "forcing/regime.h"
+#include "forcing/wind_schedule.h"
 #include "io/formats/png.h"
 
 namespace erg::io {
@@ -18,7 +18,7 @@ struct PictureOptions {
   std::string field;             ///< key of a declared field to lay over the sand in its own palette; "": none
   double sun_bearing = 300;      ///< degrees: where the sun stands
   double sun_altitude = 30;      ///< degrees above the horizon
-  std::optional<WindNow> wind;   ///< draws the wind arrow
+  std::optional<Forcing> wind;   ///< draws the wind arrow
   bool legend = true;            ///< a strip below with scale bar, wind and `caption`
   std::string caption;           ///< "Momiji et al. 2000, step 1500"
 };

@@ -72,7 +72,7 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
   const Shift migration = migration_.velocity().value_or(Shift{unknown, unknown});
   migration_.start_anew();
   const Terrain& terrain = simulation.terrain();
-  const WindNow wind = simulation.last_wind();
+  const Forcing wind = simulation.last_wind();
   const analysis::Morphometry shape = analysis::measure(terrain);
   const double fall = simulation.model().shadow_fall(terrain.cell_size());
   const analysis::CoarseSurface surface = coarse_surface(terrain, Layer::surface);

@@ -89,7 +89,7 @@ double reptation(const GrainValues& values, double friction) {
   return values.reptation * (1 + values.reptation_wind * std::max(0.0, ratio - 1));
 }
 
-GrainLaw grain_law(const GrainValues& values, const WindNow& wind, const WindFrame& frame, double cell_size) {
+GrainLaw grain_law(const GrainValues& values, const Forcing& wind, const WindFrame& frame, double cell_size) {
   const double friction = friction_velocity(values, wind.strength);
   const double seconds = values.time_step * 1e-3;
   GrainLaw law;

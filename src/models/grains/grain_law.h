@@ -2,8 +2,8 @@
 // read.
 #pragma once
 
-#include "forcing/regime.h"
 #include "forcing/wind_frame.h"
+#include "forcing/wind_schedule.h"
 #include "models/grains/grain_cell.h"
 #include "models/grains/grain_values.h"
 
@@ -27,6 +27,6 @@ double profile_speed(const GrainValues& values, double friction_velocity, double
 double reptation(const GrainValues& values, double friction_velocity);
 
 /// The law for one wind on a grid with cells of this size (m).
-GrainLaw grain_law(const GrainValues& values, const WindNow& wind, const WindFrame& frame, double cell_size);
+GrainLaw grain_law(const GrainValues& values, const Forcing& wind, const WindFrame& frame, double cell_size);
 
 }  // namespace erg

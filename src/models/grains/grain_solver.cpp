@@ -51,7 +51,7 @@ struct GrainStep {
   using Report = GrainReport;
 
   GrainStepLaw law;
-  WindNow wind;
+  Forcing wind;
   StepKey key;
   GroundLook look;
 
@@ -71,7 +71,7 @@ struct GrainStep {
 
 }  // namespace
 
-GrainReport fly_grains(Executor& executor, Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+GrainReport fly_grains(Executor& executor, Terrain& terrain, const GrainStepLaw& law, const Forcing& wind, StepKey key,
                        const GroundLook& look) {
   return executor.carry_out(terrain, GrainStep{law, wind, key, look});
 }

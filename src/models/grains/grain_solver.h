@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "compute/executor.h"
-#include "forcing/regime.h"
 #include "forcing/wind_frame.h"
+#include "forcing/wind_schedule.h"
 #include "kernels/frame_layers.h"
 #include "models/grains/grain_step.h"
 #include "models/grains/plan.h"
@@ -26,7 +26,7 @@ using GroundLook = std::function<void(const SurfaceSnapshot& ground)>;
 
 /// Flies the grains of one time step, lets their bed slide, creep and bond, and books in- and outflow. The same bits on
 /// every executor. `look` may be empty.
-GrainReport fly_grains(Executor& executor, Terrain& terrain, const GrainStepLaw& law, const WindNow& wind, StepKey key,
+GrainReport fly_grains(Executor& executor, Terrain& terrain, const GrainStepLaw& law, const Forcing& wind, StepKey key,
                        const GroundLook& look);
 
 class GrainSolver : public Solver {

@@ -107,7 +107,7 @@ std::shared_ptr<const std::vector<float>> GrainModel::shelter(const Terrain& ter
   return shelter_;
 }
 
-GrainStepLaw GrainModel::step_law(const Terrain& terrain, const WindFrame& frame, const WindNow& wind) {
+GrainStepLaw GrainModel::step_law(const Terrain& terrain, const WindFrame& frame, const Forcing& wind) {
   GrainStepLaw law;
   law.grain = grain_law(values_, wind, frame, terrain.cell_size());
   law.sub_steps = static_cast<int>(values_.sub_steps);
@@ -120,7 +120,7 @@ GrainStepLaw GrainModel::step_law(const Terrain& terrain, const WindFrame& frame
   return law;
 }
 
-StepReport GrainModel::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
+StepReport GrainModel::step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
   const GrainStepLaw law = step_law(terrain, frame, wind);
   GroundLook look;

@@ -36,7 +36,7 @@ class GrainModel : public Model {
 
   double quantum() const override;
   void begin(Terrain& terrain) override;
-  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override;
+  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override;
   double shadow_fall(double cell_size) const override;
   std::vector<Reading> readings() const override;
   void keep_paths(int count) override { paths_wanted_ = count; }
@@ -47,7 +47,7 @@ class GrainModel : public Model {
 
  private:
   std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
-  GrainStepLaw step_law(const Terrain& terrain, const WindFrame& frame, const WindNow& wind);
+  GrainStepLaw step_law(const Terrain& terrain, const WindFrame& frame, const Forcing& wind);
   void trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law, StepKey key,
                    const SurfaceSnapshot& ground);
 

@@ -75,7 +75,7 @@ class NieldBaas : public SlabModel {
 
   void edited(Terrain& terrain) override { plants_->cover(terrain); }
 
-  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.lift_in_shadow = values_.lift_in_shadow;
     law.covered = ReposeSteps::of_angle(values_.vegetated_repose_angle, terrain.cell_size(), quantum());

@@ -180,7 +180,7 @@ SlabLaw SlabModel::law(const Terrain& terrain) const {
   return law;
 }
 
-StepReport SlabModel::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
+StepReport SlabModel::step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) {
   return move_slabs(executor, terrain, law(terrain), wind, key);
 }
 

@@ -66,7 +66,7 @@ class SlabModel : public Model {
 
   double quantum() const override;
   void begin(Terrain& terrain) override;
-  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override;
+  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override;
   double shadow_fall(double cell_size) const override;
 
   /// The law on this terrain's grid.

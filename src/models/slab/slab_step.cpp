@@ -15,7 +15,7 @@ struct SlabStep {
   using Report = StepReport;
 
   SlabLaw law;
-  WindNow wind;
+  Forcing wind;
   StepKey key;
   std::shared_ptr<const Cover> cover = {};  ///< the law's, where it is kept for later
 
@@ -43,7 +43,7 @@ struct SlabStep {
 
 }  // namespace
 
-StepReport move_slabs(Executor& executor, Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key) {
+StepReport move_slabs(Executor& executor, Terrain& terrain, const SlabLaw& law, const Forcing& wind, StepKey key) {
   return wind.strength > 0 ? executor.carry_out(terrain, SlabStep{law, wind, key}) : StepReport{};
 }
 

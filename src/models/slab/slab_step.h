@@ -7,8 +7,8 @@
 #include "compute/executor.h"
 #include "core/random.h"
 #include "core/terrain.h"
-#include "forcing/regime.h"
 #include "forcing/wind_frame.h"
+#include "forcing/wind_schedule.h"
 #include "models/slab/slab_law.h"
 #include "models/step_report.h"
 
@@ -16,7 +16,7 @@ namespace erg {
 
 /// Moves the slabs of one time step and books in- and outflow in the terrain's ledger; a wind of strength 0 is a calm,
 /// in which nothing moves. Throws InputError for a terrain that is too high (terrain_heights.h).
-StepReport move_slabs(Executor& executor, Terrain& terrain, const SlabLaw& law, const WindNow& wind, StepKey key);
+StepReport move_slabs(Executor& executor, Terrain& terrain, const SlabLaw& law, const Forcing& wind, StepKey key);
 
 /// Holds a terrain of slabs and moves them.
 class SlabSolver : public Solver {

@@ -126,7 +126,7 @@ class SnowPacking : public SlabModel {
     fields[density].values.fill(static_cast<float>(start * snow_class(values_, 0).most));
   }
 
-  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover(terrain);
     StepReport report = move_slabs(executor, terrain, law, wind, key);

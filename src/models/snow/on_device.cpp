@@ -93,7 +93,7 @@ void SnowOnDevice::sync_to_host(Terrain& terrain) {
 
 // --- steps ---
 
-StepReport SnowOnDevice::step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
+StepReport SnowOnDevice::step(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key,
                               Executor& executor) {
   const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
   Grid<std::int32_t>* const lift_counts = executor.lift_counts();

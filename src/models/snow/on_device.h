@@ -17,7 +17,7 @@ class SnowOnDevice : public SnowSolver {
 
   bool holds_fields() const override { return true; }
   void load(const Terrain& terrain, const WindFrame& frame) override;
-  StepReport step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
+  StepReport step(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key,
                   Executor& executor) override;
   /// Brings back the mobile layer and the fields.
   void sync_to_host(Terrain& terrain) override;

@@ -7,7 +7,7 @@
 
 namespace erg {
 
-StepReport SnowOnProcessor::step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
+StepReport SnowOnProcessor::step(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key,
                                  Executor& executor) {
   executor_ = &executor;
   begin(terrain, snow, wind, key);
@@ -42,7 +42,7 @@ void SnowOnProcessor::load(const Terrain& terrain, const WindFrame&) {
 }
 
 /// Says where everything lies.
-void SnowOnProcessor::begin(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
+void SnowOnProcessor::begin(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key) {
   constexpr int line_of_cells = static_cast<int>(cache_line / sizeof(FlightCell));
   std::vector<Field>& fields = terrain.edit_fields();
   const auto layer = [&fields](SnowLayer which) { return snow_layer(fields, which).cells().data(); };

@@ -34,11 +34,11 @@ class SnowOnProcessor : public SnowSolver {
   void load(const Terrain& terrain, const WindFrame& frame) override;
   void sync_to_host(Terrain&) override {}
   /// On the threads of `executor`, in as many sub-sweeps as it has. The terrain is up to date afterwards.
-  StepReport step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
+  StepReport step(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key,
                   Executor& executor) override;
 
  private:
-  void begin(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key);
+  void begin(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key);
   void for_rows(const std::function<void(int y)>& work);
 
   // Transport rates.

@@ -77,11 +77,11 @@ class SnowSintering : public Model {
     first_temperature_ = beginning.weather.temperature;
   }
   void begin(Terrain& terrain) override;
-  StepReport step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) override;
+  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override;
 
  private:
   void prepare_law(const Terrain& terrain);
-  void update_law(const WindNow& wind, StepKey key);
+  void update_law(const Forcing& wind, StepKey key);
   static int cells(double metres, double cell_size) {
     return std::clamp(static_cast<int>(std::lround(metres / cell_size)), 0, 200);
   }
@@ -152,7 +152,7 @@ void SnowSintering::prepare_law(const Terrain& terrain) {
 }
 
 /// What a step's weather changes.
-void SnowSintering::update_law(const WindNow& wind, StepKey key) {
+void SnowSintering::update_law(const Forcing& wind, StepKey key) {
   law_.wind = static_cast<float>(wind.strength);
   law_.threshold = static_cast<float>(mean_threshold(wind.temperature));
   const double excess = wind.strength / values_.suspension_wind;
@@ -165,7 +165,7 @@ void SnowSintering::update_law(const WindNow& wind, StepKey key) {
   law_.snowfall = static_cast<float>(fall * static_cast<double>(law_.step_hours) / quantum());
 }
 
-StepReport SnowSintering::step(Terrain& terrain, const WindNow& wind, StepKey key, Executor& executor) {
+StepReport SnowSintering::step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) {
   update_law(wind, key);
   const double cell_size = terrain.cell_size();
   const SnowRadii radii{cells(values_.smooth_radius, cell_size), std::max(1, cells(values_.around_radius, cell_size))};

@@ -14,7 +14,7 @@ struct SnowDriftStep {
   using Report = StepReport;
 
   SnowStep snow;
-  WindNow wind;
+  Forcing wind;
   StepKey key;
 
   std::unique_ptr<SnowSolver> make_solver(Executor& executor) const {
@@ -33,7 +33,7 @@ struct SnowDriftStep {
 
 }  // namespace
 
-StepReport drift_snow(Executor& executor, Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key) {
+StepReport drift_snow(Executor& executor, Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key) {
   return executor.carry_out(terrain, SnowDriftStep{snow, wind, key});
 }
 

@@ -5,8 +5,8 @@
 #include "compute/executor.h"
 #include "core/random.h"
 #include "core/terrain.h"
-#include "forcing/regime.h"
 #include "forcing/wind_frame.h"
+#include "forcing/wind_schedule.h"
 #include "models/snow/snow_step.h"
 #include "models/step_report.h"
 
@@ -14,7 +14,7 @@ namespace erg {
 
 /// Lets snow drift, slide, fall and bond for one time step, and books in- and outflow. The terrain has the fields of
 /// SnowLayer. Throws InputError if the snow has grown too high to be counted.
-StepReport drift_snow(Executor& executor, Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key);
+StepReport drift_snow(Executor& executor, Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key);
 
 /// Holds a terrain of snow and lets it drift.
 class SnowSolver : public Solver {
@@ -22,7 +22,7 @@ class SnowSolver : public Solver {
   virtual void load(const Terrain& terrain, const WindFrame& frame) = 0;
   /// One step of the terrain that is loaded, whose layers need not be up to date. Throws InputError, before anything
   /// has changed, if the snow has grown too high to be counted.
-  virtual StepReport step(Terrain& terrain, const SnowStep& snow, const WindNow& wind, StepKey key,
+  virtual StepReport step(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key,
                           Executor& executor) = 0;
 };
 

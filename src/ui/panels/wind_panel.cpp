@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t cycle_samples = 400;  // at most
 
 /// "5" or "3 to 8".
-std::string strength_text(const Season& season) {
+std::string strength_text(const WindInterval& season) {
   const std::string first = figure_text(season.first, 3);
   return season.first == season.last ? first : first + " to " + figure_text(season.last, 3);
 }
@@ -31,7 +31,9 @@ class WindPanel final : public Panel {
   void draw(PanelContext& context) override;
 
  private:
-  bool shows_seasons(const session::WindEditor& wind) const { return seasons_wanted_ || !wind.regime().is_constant(); }
+  bool shows_seasons(const session::WindEditor& wind) const {
+    return seasons_wanted_ || !wind.schedule().is_constant();
+  }
   void draw_kind(const session::WindEditor& wind);
   void draw_list(const session::WindEditor& wind, std::size_t now);
   void draw_list_buttons(session::WindEditor wind);
@@ -45,7 +47,7 @@ class WindPanel final : public Panel {
 
   std::size_t selected_ = 0;
   bool seasons_wanted_ = false;
-  std::vector<Season> put_aside_;  ///< the seasons while the wind is constant, so that switching loses nothing
+  std::vector<WindInterval> put_aside_;  ///< the seasons while the wind is constant, so that switching loses nothing
 };
 
 void WindPanel::draw_kind(const session::WindEditor& wind) {
@@ -55,8 +57,8 @@ void WindPanel::draw_kind(const session::WindEditor& wind) {
                           .look = seasons ? ButtonLook::plain : ButtonLook::accent,
                           .size = {half, 0}}) &&
       seasons) {
-    put_aside_ = wind.regime().seasons;
-    Season constant = wind.season(selected_);
+    put_aside_ = wind.schedule().intervals;
+    WindInterval constant = wind.season(selected_);
     constant.last = constant.first;
     constant.curve = {};
     session::WindEditor(wind).replace({constant});
@@ -82,7 +84,7 @@ void WindPanel::draw_list(const session::WindEditor& wind, std::size_t now) {
   ImGui::TableSetupColumn("steps", 0, 1);
   ImGui::TableHeadersRow();
   for (std::size_t index = 0; index < wind.seasons(); ++index) {
-    const Season& season = wind.season(index);
+    const WindInterval& season = wind.season(index);
     ImGui::TableNextColumn();
     const std::string number = std::to_string(index + 1);
     if (ImGui::Selectable(number.c_str(), index == selected_, ImGuiSelectableFlags_SpanAllColumns)) selected_ = index;
@@ -138,7 +140,7 @@ void WindPanel::draw_bearing(session::WindEditor wind) {
 }
 
 void WindPanel::draw_strengths(session::WindEditor wind, const std::string& strength_label) {
-  const Season season = wind.season(selected_);
+  const WindInterval season = wind.season(selected_);
   const bool seasons = shows_seasons(wind);
   const std::string range = "\nrange: " + figure_text(smallest_strength) + " to " + figure_text(largest_strength);
   const auto row = [&](const char* label, const std::string& meaning, double value) {
@@ -179,7 +181,7 @@ void WindPanel::draw_swing(session::WindEditor wind) const {
 }
 
 void WindPanel::draw_curve(session::WindEditor wind, const session::AppModel& app, const std::string& strength_label) {
-  const Season& season = wind.season(selected_);
+  const WindInterval& season = wind.season(selected_);
   if (season.first == season.last) {
     explain("The strength stays the same over this season. Give it another last strength to bend its curve.");
     return;
@@ -190,7 +192,7 @@ void WindPanel::draw_curve(session::WindEditor wind, const session::AppModel& ap
   frame.x = {0, static_cast<double>(std::max<std::int64_t>(1, season.steps - 1))};
   frame.y = {season.first, season.last};
   frame.height = Gui::current().px(170);
-  const session::WindCycle cycle = session::sample_cycle(wind.regime(), 2);
+  const session::WindCycle cycle = session::sample_cycle(wind.schedule(), 2);
   if (app.now().has_runs() && cycle.season_at(app.now().step()) == selected_) {
     frame.cursor = static_cast<double>(cycle.position(app.now().step()) - cycle.season_starts[selected_]);
   }
@@ -200,8 +202,8 @@ void WindPanel::draw_curve(session::WindEditor wind, const session::AppModel& ap
 
 void WindPanel::draw_cycle(const session::WindEditor& wind, std::int64_t step,
                            const std::string& strength_label) const {
-  const auto steps_of_cycle = static_cast<std::size_t>(std::max<std::int64_t>(2, wind.regime().cycle()));
-  const session::WindCycle cycle = session::sample_cycle(wind.regime(), std::min(cycle_samples, steps_of_cycle));
+  const auto steps_of_cycle = static_cast<std::size_t>(std::max<std::int64_t>(2, wind.schedule().cycle()));
+  const session::WindCycle cycle = session::sample_cycle(wind.schedule(), std::min(cycle_samples, steps_of_cycle));
   std::vector<double> steps(cycle.steps.begin(), cycle.steps.end());
   PlotFrame frame;
   frame.x_label = "step of the cycle";
@@ -223,9 +225,9 @@ void WindPanel::draw_cycle(const session::WindEditor& wind, std::int64_t step,
 void WindPanel::draw_rose(const session::WindEditor& wind, const session::AppModel& app) {
   const Gui& gui = Gui::current();
   const std::int64_t now = app.now().step();
-  std::int64_t end = now + wind.regime().cycle();
+  std::int64_t end = now + wind.schedule().cycle();
   if (app.now().has_runs()) end = std::max(end, app.now().runs.front().config->run.integer("steps"));
-  const session::WindRose rose = session::wind_rose(wind.regime(), now, end, session::WindRecord::sectors);
+  const session::WindRose rose = session::wind_rose(wind.schedule(), now, end, session::WindRecord::sectors);
   // What has blown is what was recorded: the seasons may be set to anything else by now.
   draw_wind_rose("rose", app.now().blown.sums, rose.to_blow, gui.px(150));
   ImGui::SameLine();
@@ -255,7 +257,7 @@ void WindPanel::draw(PanelContext& context) {
   draw_kind(wind);
   selected_ = std::min(selected_, wind.seasons() - 1);
   if (shows_seasons(wind)) {
-    const std::size_t now = session::sample_cycle(wind.regime(), 2).season_at(app.now().step());
+    const std::size_t now = session::sample_cycle(wind.schedule(), 2).season_at(app.now().step());
     draw_list(wind, now);
     draw_list_buttons(wind);
   }
@@ -263,7 +265,7 @@ void WindPanel::draw(PanelContext& context) {
   draw_strengths(wind, strength_label);
   draw_swing(wind);
   for (const Channel& channel : channels()) {
-    if (channel.of_season != nullptr && app.comparison().uses(channel)) draw_column(wind, channel.declared.key);
+    if (channel.of_interval != nullptr && app.comparison().uses(channel)) draw_column(wind, channel.declared.key);
   }
   if (shows_seasons(wind)) {
     draw_curve(wind, app, strength_label);

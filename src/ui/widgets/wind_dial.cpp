@@ -13,7 +13,7 @@
 #include "core/errors.h"
 #include "core/units.h"
 #include "forcing/bearing.h"
-#include "forcing/regime.h"
+#include "forcing/wind_schedule.h"
 #include "ui/widgets/axis_ticks.h"
 #include "ui/widgets/typed_number.h"
 #include "ui/widgets/widgets.h"

@@ -1,4 +1,4 @@
-#include "forcing/regime.h"
+#include "forcing/wind_schedule.h"
 
 #include <cmath>
 #include <utility>
@@ -7,38 +7,40 @@
 
 namespace erg {
 
-Regime Regime::constant(double bearing, double strength) {
-  Season season;
+WindSchedule WindSchedule::constant(double bearing, double strength) {
+  WindInterval season;
   season.bearing = bearing;
   season.first = strength;
   season.last = strength;
-  return Regime{{season}};
+  return WindSchedule{{season}};
 }
 
-bool Regime::is_constant() const { return seasons.size() == 1 && seasons.front().first == seasons.front().last; }
+bool WindSchedule::is_constant() const {
+  return intervals.size() == 1 && intervals.front().first == intervals.front().last;
+}
 
-std::int64_t Regime::cycle() const {
+std::int64_t WindSchedule::cycle() const {
   std::int64_t steps = 0;
-  for (const Season& season : seasons) steps += season.steps;
+  for (const WindInterval& season : intervals) steps += season.steps;
   return steps;
 }
 
-WindNow Regime::wind_at(std::int64_t step, const std::uint64_t* seed) const {
+Forcing WindSchedule::wind_at(std::int64_t step, const std::uint64_t* seed) const {
   const std::int64_t returns = step / cycle();
   std::int64_t rest = step % cycle();
-  auto season = seasons.begin();
+  auto season = intervals.begin();
   while (rest >= season->steps) {
     rest -= season->steps;
     ++season;
   }
   const double time = season->steps > 1 ? static_cast<double>(rest) / static_cast<double>(season->steps - 1) : 0.0;
-  WindNow now{season->bearing, std::lerp(season->first, season->last, season->curve.at(time))};
+  Forcing now{season->bearing, std::lerp(season->first, season->last, season->curve.at(time))};
   for (const Channel& channel : channels()) {
-    if (channel.of_season != nullptr) now.*channel.now = (*season).*channel.of_season;
+    if (channel.of_interval != nullptr) now.*channel.now = (*season).*channel.of_interval;
   }
   if (seed == nullptr || season->spread <= 0) return now;
   const std::int64_t blown = returns * season->steps + rest;
-  const auto number = static_cast<std::size_t>(season - seasons.begin());
+  const auto number = static_cast<std::size_t>(season - intervals.begin());
   now.swing = wind_swing(season->spread, number, *seed, blown / season->hold);
   now.bearing = fold_bearing(season->bearing + now.swing);
   return now;

@@ -20,25 +20,25 @@ std::array<double, draws_a_round> wind_swings(double spread);
 double wind_swing(double spread, std::size_t season, std::uint64_t seed, std::int64_t draw);
 
 /// A repeating list of seasons, never empty. One season is a constant wind (or one that repeats its curve).
-struct Regime {
-  std::vector<Season> seasons{Season{}};
+struct WindSchedule {
+  std::vector<WindInterval> intervals{WindInterval{}};
 
   /// A wind that never changes: one season without spread.
-  static Regime constant(double bearing, double strength);
+  static WindSchedule constant(double bearing, double strength);
   /// True for one season whose strength does not change (its bearing may swing).
   bool is_constant() const;
   /// Steps until the list repeats.
   std::int64_t cycle() const;
   /// The wind during time step `step` (0 is the first). Within a season of n steps, step k is at time k / (n - 1) of
   /// the curve (n > 1), so that first and last strength are both reached. Without a swing: the season's mean bearing.
-  WindNow at(std::int64_t step) const { return wind_at(step, nullptr); }
+  Forcing at(std::int64_t step) const { return wind_at(step, nullptr); }
   /// The same with the swing that this step has in a run with this seed. A season's draws are counted over its own
   /// steps, and go on where it returns.
-  WindNow at(std::int64_t step, std::uint64_t seed) const { return wind_at(step, &seed); }
-  bool operator==(const Regime&) const = default;
+  Forcing at(std::int64_t step, std::uint64_t seed) const { return wind_at(step, &seed); }
+  bool operator==(const WindSchedule&) const = default;
 
  private:
-  WindNow wind_at(std::int64_t step, const std::uint64_t* seed) const;
+  Forcing wind_at(std::int64_t step, const std::uint64_t* seed) const;
 };
 
 }  // namespace erg
