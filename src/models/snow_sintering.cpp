@@ -293,7 +293,7 @@ ModelType snow_sintering() {
            .asks_snowfall = true},
           snow_sintering_parameters(),
           snow_sintering_fields(),
-          27,  // planes of SnowSolver
+          29,  // planes and polls of SnowSolver
           [](const ParameterValues& values) { return std::make_unique<SnowSintering>(values); },
           explain_sintering,
           [](const ParameterValues& values, double, double) {
