@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-#include "kernels/box_mean.h"
+#include "models/snow/box_mean.h"
 #include "models/snow/snow_kernels.h"
 
 namespace erg {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "kernels/box_mean.h"
+#include "models/snow/box_mean.h"
 #include "models/snow/snow_machine.h"
 
 namespace erg {

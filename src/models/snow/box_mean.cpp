@@ -1,4 +1,4 @@
-#include "kernels/box_mean.h"
+#include "models/snow/box_mean.h"
 
 #include <algorithm>
 #include <vector>
