@@ -8,6 +8,7 @@
 
 #include "core/surface_range.h"
 #include "core/units.h"
+#include "forcing/shadow_reach.h"
 #include "forcing/wind_frame.h"
 
 namespace erg {
@@ -30,8 +31,7 @@ int warm_up_rows(const Terrain& terrain, const WindFrame& frame, double fall) {
   // An axis wind meets the same cells again after one round; an oblique one is followed for at most `largest_side`
   // rows.
   const int limit = frame.tangent > 0 ? largest_side : frame.length;
-  const double reach = (static_cast<double>(range.high) - range.low) * frame.cosine / std::max(fall, 1e-12) + 3;
-  return reach < limit ? static_cast<int>(reach) : limit;
+  return shadow_reach(static_cast<double>(range.high) - range.low, fall, frame.cosine, limit);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "compute/kernel.h"
 #include "core/grid.h"
+#include "forcing/shadow_reach.h"
 #include "models/grains/grain_cell.h"
 
 namespace erg {
@@ -107,9 +108,7 @@ ERG_CELL_RULE void snapshot_cell(const BedPlanes& bed, int u, int v) {
 /// `relief` quanta over its lowest.
 ERG_CELL_RULE int first_shadow_row(const BedPlanes& bed, std::int64_t relief) {
   if (!bed.torus) return 0;
-  const double fall = bed.fall > 1e-12 ? bed.fall : 1e-12;
-  const double reach = static_cast<double>(relief) * bed.cosine / fall + 3;
-  return -(reach < bed.longest_shadow ? static_cast<int>(reach) : bed.longest_shadow);
+  return -shadow_reach(static_cast<double>(relief), bed.fall, bed.cosine, bed.longest_shadow);
 }
 
 /// Heights (m) of the shadow line that comes to a cell: along the wind, and from the cell before it in its row's order.

@@ -1,8 +1,10 @@
 #include "models/slab/engine.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "forcing/shadow_reach.h"
 #include "kernels/fixed_point.h"
 #include "models/slab/slab_cell.h"
 #include "models/slab/sub_sweep.h"
@@ -16,8 +18,8 @@ constexpr std::uint32_t narrow_shadow = 0xffff;
 /// Rows upwind of row 0 from which a shadow line can reach into the grid: as far as it takes to fall from the highest
 /// cell to the ground, and not beyond where the line has met every cell that it ever meets.
 int warm_up_rows(const SubSweep& sweep, int highest) {
-  const std::int64_t fall_rows = (std::int64_t{highest} << fixed_point_bits) / sweep.row_fall;
-  return static_cast<int>(std::min(fall_rows, sweep.rows_around)) + 2;
+  const auto around = static_cast<int>(std::min<std::int64_t>(sweep.rows_around, std::numeric_limits<int>::max() / 2));
+  return shadow_reach(static_cast<double>(std::int64_t{highest} << fixed_point_bits), sweep.row_fall, 1, around + 2);
 }
 
 /// Tiles are numbered up each block, then along the blocks.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "forcing/shadow_reach.h"
 #include "kernels/fixed_point.h"
 #include "models/snow/snow_cell.h"
 
@@ -104,10 +105,8 @@ struct SnowShadow {
 
 /// `fall`: of the shadow, slabs a cell; `relief`: slabs from the lowest surface to the highest.
 ERG_CELL_RULE SnowShadow snow_shadow(double fall, double tangent, double cosine, bool open, int length, int relief) {
-  const double reach = static_cast<double>(relief) * cosine / (fall > 1e-6 ? fall : 1e-6) + 3;
-  const int limit = 2 * length;
   return {fixed_point(fall / cosine), fixed_point(fall), static_cast<std::int64_t>(tangent * 0x1p24),
-          open ? 0 : -(reach < limit ? static_cast<int>(reach) : limit)};
+          open ? 0 : -shadow_reach(relief, fall, cosine, 2 * length)};
 }
 
 }  // namespace erg

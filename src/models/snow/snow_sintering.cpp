@@ -191,7 +191,7 @@ ModelType snow_sintering() {
                .channels = {"temperature", "snowfall"}},
       .parameters = sintering_binding(),
       .fields = snow_sintering_fields(),
-      .working_bytes = 27,  // planes of SnowOnProcessor
+      .working_bytes = 29,  // planes and polls of SnowOnProcessor
       .make = [](const SinteringValues& values) { return std::make_unique<SnowSintering>(values); },
       .explain = explain_sintering,
       .step_scale =
