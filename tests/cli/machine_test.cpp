@@ -216,7 +216,7 @@ TEST(Processors, TallRocksAreNoEndlessWork) {
         Words words{"run",     "a.json", "--executor", executor,
                     "--quiet", "--hash", "--set",      std::string("wind.bearing=") + bearing};
         words.insert(words.end(), ground.begin(), ground.end());
-        // A safeguard and no measurement: it takes a hundredth of that.
+        // A safeguard and no measurement: it takes a fraction of that.
         const Ended ended = run_erg(folder, words, [] {
           const rlimit limit{20, 20};
           setrlimit(RLIMIT_CPU, &limit);
