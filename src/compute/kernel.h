@@ -20,10 +20,12 @@
 #define ERG_ON_DEVICE inline
 #endif
 
+// NOLINTBEGIN(bugprone-macro-parentheses): `item` is a name that is declared
 /// Each item below `count` that this thread does, within a kernel whose items are called `items`.
 #define EACH_ITEM(item, count)                                                                                         \
   for (std::int32_t item = items.first, item##_end = items.below(static_cast<std::int32_t>(count)); item < item##_end; \
        item += items.stride)
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace erg {
 

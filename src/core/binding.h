@@ -29,9 +29,7 @@ template <typename Member>
 ParameterValue bound_value(const Parameter& parameter, const Member& member) {
   if constexpr (std::is_enum_v<Member>) {
     return parameter.choices.at(static_cast<std::size_t>(member));
-  } else if constexpr (std::is_same_v<Member, bool>) {
-    return member;
-  } else if constexpr (std::is_integral_v<Member>) {
+  } else if constexpr (std::is_integral_v<Member> && !std::is_same_v<Member, bool>) {
     if (parameter.kind() == ParameterKind::choice) return std::to_string(member);
     return static_cast<std::int64_t>(member);
   } else if constexpr (std::is_floating_point_v<Member>) {

@@ -120,6 +120,13 @@ std::string row_text(const ParameterValues& row) {
 
 }  // namespace
 
+RowList::RowList() = default;
+RowList::RowList(std::vector<ParameterValues> given) : rows(std::move(given)) {}
+RowList::RowList(const RowList& other) = default;
+RowList::RowList(RowList&& other) noexcept = default;
+RowList& RowList::operator=(const RowList& other) = default;
+RowList& RowList::operator=(RowList&& other) noexcept = default;
+RowList::~RowList() = default;
 bool RowList::operator==(const RowList& other) const { return rows == other.rows; }
 
 ParameterKind Parameter::kind() const {

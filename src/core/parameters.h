@@ -25,6 +25,15 @@ using Parameters = std::vector<Parameter>;
 /// A list of rows, each of them the values of the same declared columns.
 struct RowList {
   std::vector<ParameterValues> rows;
+
+  // Where ParameterValues, which a value may hold in turn, is complete.
+  RowList();
+  explicit RowList(std::vector<ParameterValues> given);
+  RowList(const RowList& other);
+  RowList(RowList&& other) noexcept;
+  RowList& operator=(const RowList& other);
+  RowList& operator=(RowList&& other) noexcept;
+  ~RowList();
   bool operator==(const RowList& other) const;
 };
 
