@@ -40,7 +40,7 @@ class WindPanel final : public Panel {
   void draw_bearing(session::WindEditor wind);
   void draw_strengths(session::WindEditor wind, const std::string& strength_label);
   void draw_column(session::WindEditor wind, const std::string& key) const;
-  void draw_swing(session::WindEditor wind) const;
+  void draw_swing(const session::WindEditor& wind) const;
   void draw_curve(session::WindEditor wind, const session::AppModel& app, const std::string& strength_label);
   void draw_cycle(const session::WindEditor& wind, std::int64_t step, const std::string& strength_label) const;
   static void draw_rose(const session::WindEditor& wind, const session::AppModel& app);
@@ -175,7 +175,7 @@ void WindPanel::draw_column(session::WindEditor wind, const std::string& key) co
   if (parameter_row(*columns.find(key), value) != RowEvent::none) wind.set(selected_, key, value);
 }
 
-void WindPanel::draw_swing(session::WindEditor wind) const {
+void WindPanel::draw_swing(const session::WindEditor& wind) const {
   draw_column(wind, "spread");
   if (wind.season(selected_).spread > 0) draw_column(wind, "hold");
 }
