@@ -43,7 +43,7 @@ int main(int argument_count, char** arguments) {
     return 2;
   }
   try {
-    erg::add_model(erg::water_table());
+    erg::models::add_model(erg::water_table());
     grow("0", arguments[1]);
     grow("0.7", arguments[1]);
   } catch (const std::exception& error) {

@@ -13,7 +13,7 @@
 
 #include "compute/kernel.h"
 
-namespace erg {
+namespace erg::compute {
 
 /// A device that is missing, full or broken. The text is a clause: "out of memory (asked for 64 MiB)".
 class DeviceError : public std::runtime_error {
@@ -140,4 +140,4 @@ Counters<words> Backend::read_counters(const Buffer<CounterWord>& buffer) {
   return sums;
 }
 
-}  // namespace erg
+}  // namespace erg::compute

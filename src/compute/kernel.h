@@ -27,7 +27,7 @@
        item += items.stride)
 // NOLINTEND(bugprone-macro-parentheses)
 
-namespace erg {
+namespace erg::compute {
 
 /// The items that one thread does: `first` and every `stride` from there on, before `end`. All items of a launch are
 /// below 2^29: whole divisions of 32 bits cost a card a fraction of those of 64.
@@ -117,4 +117,4 @@ struct Counters {
   }
 };
 
-}  // namespace erg
+}  // namespace erg::compute

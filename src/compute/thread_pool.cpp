@@ -11,7 +11,7 @@
 #include <immintrin.h>
 #endif
 
-namespace erg {
+namespace erg::compute {
 namespace {
 
 void pause_a_moment() {
@@ -121,4 +121,4 @@ void ThreadPool::serve(int member) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::compute

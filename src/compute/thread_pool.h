@@ -9,7 +9,7 @@
 
 #include "compute/aligned_vector.h"
 
-namespace erg {
+namespace erg::compute {
 
 /// A number that threads wait for. They look at it for a moment first, since phases last microseconds, and then sleep,
 /// so that nothing collapses where there are more threads than processors.
@@ -88,4 +88,4 @@ class ThreadPool {
   std::vector<std::thread> threads_;
 };
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -11,7 +11,7 @@
 #include "forcing/shadow_reach.h"
 #include "forcing/wind_frame.h"
 
-namespace erg {
+namespace erg::forcing {
 namespace {
 
 // Heights on the scan are fixed-point numbers with 24 bits after the point, so that a shadow line does not depend on
@@ -94,4 +94,4 @@ Field shadow_field(const Terrain& terrain, double bearing, double fall) {
   return field;
 }
 
-}  // namespace erg
+}  // namespace erg::forcing

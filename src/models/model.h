@@ -19,7 +19,7 @@
 #include "models/model_start.h"
 #include "models/step_report.h"
 
-namespace erg {
+namespace erg::models {
 
 /// What a model is, for people.
 struct ModelInfo {
@@ -48,7 +48,7 @@ struct StepScale {
 /// What the beginning of a run may need besides the terrain.
 struct Beginning {
   std::uint64_t seed = 0;
-  Forcing weather = {};                  ///< of the first step
+  forcing::Forcing weather = {};         ///< of the first step
   const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
 };
 
@@ -76,7 +76,7 @@ class Model {
   /// People have edited the terrain: brings up to date the fields that follow from what they did.
   virtual void edited(Terrain&) {}
   /// One time step.
-  virtual StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) = 0;
+  virtual StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) = 0;
   /// The fall of the wind shadow in quanta a cell, for pictures and numbers.
   virtual double shadow_fall(double cell_size) const = 0;
 
@@ -146,4 +146,4 @@ void add_model(ModelType model);
 /// The model with this key; throws InputError with the nearest key.
 const ModelType& find_model(const std::string& key);
 
-}  // namespace erg
+}  // namespace erg::models

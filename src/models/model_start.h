@@ -1,7 +1,7 @@
 // Where a run of a model begins.
 #pragma once
 
-namespace erg {
+namespace erg::models {
 
 /// Degrees by which a wind swings whose dunes are to look alike at every bearing (docs/conventions.md says why).
 inline constexpr double natural_spread = 10;
@@ -14,4 +14,4 @@ struct ModelStart {
   double spread = 0;     ///< of the wind's bearing, degrees (WindInterval::spread)
 };
 
-}  // namespace erg
+}  // namespace erg::models

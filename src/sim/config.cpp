@@ -10,6 +10,12 @@
 #include "sim/make_executor.h"
 
 namespace erg::sim {
+
+using forcing::WindInterval;
+using forcing::WindSchedule;
+using models::ModelStart;
+using models::ModelType;
+
 namespace {
 
 constexpr const char* default_model = "momiji";
@@ -163,7 +169,7 @@ const Binding<RunValues>& run_binding() {
         .label = "Steps",
         .default_value = 1000,
         .minimum = 0,
-        .maximum = most_steps,
+        .maximum = forcing::most_steps,
         .meaning = "Time steps to run."}},
       {&RunValues::seed,
        {.key = "seed",
@@ -233,7 +239,7 @@ const GroupDeclarations& group_declarations(const ModelStart& start) {
 
 Config::Config() : Config(default_model) {}
 
-Config::Config(const std::string& model_key) : Config(find_model(model_key)) {}
+Config::Config(const std::string& model_key) : Config(models::find_model(model_key)) {}
 
 Config::Config(const ModelType& type)
     : model(type.info.key),
@@ -251,7 +257,7 @@ const std::vector<ConfigGroup>& config_groups() {
 
 std::vector<std::string> model_keys() {
   std::vector<std::string> keys;
-  for (const ModelType& type : catalogue()) keys.push_back(type.info.key);
+  for (const ModelType& type : models::catalogue()) keys.push_back(type.info.key);
   return keys;
 }
 

@@ -310,7 +310,7 @@ double taken_a_cell(const ScratchFolder& folder, const Config& config) {
 
 TEST(ShortMemory, WhatIsSaidOfARunsNeedIsSo) {
   const ScratchFolder folder;
-  for (const ModelType& type : catalogue()) {
+  for (const models::ModelType& type : models::catalogue()) {
     SCOPED_TRACE(type.info.key);
     Config config(type.info.key);
     config.run.set("executor", std::string("cpu"));

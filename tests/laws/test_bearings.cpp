@@ -37,7 +37,7 @@ DuneMap mean_barchan(double spread) {
 }
 
 TEST(Bearings, ASpreadKeepsABarchanFromLeaning) {
-  const DuneMap swinging = mean_barchan(natural_spread);
+  const DuneMap swinging = mean_barchan(models::natural_spread);
   EXPECT_LT(asymmetry(swinging), 0.06);
   const analysis::HornVolumes horns = analysis::find_horns(swinging, 0.5);
   EXPECT_GT(horns.left, 0.6 * horns.right);

@@ -17,6 +17,9 @@ namespace erg::test {
 using analysis::crest_spacing;
 using analysis::measure;
 using analysis::measure_spectrum;
+using models::GrainModel;
+using models::ReposeSteps;
+using models::StepReport;
 using sim::Config;
 
 namespace {
@@ -189,7 +192,8 @@ TEST(Grains, SandGathersInTheLeeOfHardGround) {
   for (const char* const kind : {"hump", "dune", "rocks"}) {
     // Behind the hard ground: what lay in the shadow of the level bed.
     const Terrain before = scene_bed(kind);
-    const Grid<std::uint8_t> lee = shadow_map(before, 270, GrainRun({}, before).model.shadow_fall(before.cell_size()));
+    const Grid<std::uint8_t> lee =
+        forcing::shadow_map(before, 270, GrainRun({}, before).model.shadow_fall(before.cell_size()));
     const double behind = gathered(before, lee);
     const double control = gathered(scene_bed("flat"), lee);
     EXPECT_GT(behind, 1.0 / 3) << kind << ": parcels";
@@ -214,7 +218,7 @@ TEST(Grains, EveryParameterMatters) {
     return state_hash(run.terrain);
   };
   const std::uint64_t plain = end_of(busy);
-  for (const Parameter& parameter : find_model("grains").parameters) {
+  for (const Parameter& parameter : models::find_model("grains").parameters) {
     ParameterValue other = std::string("friction_velocity");
     const ParameterValues values = grain_parameters(busy);
     if (parameter.kind() == ParameterKind::integer) other = values.integer(parameter.key) + 1;
@@ -254,7 +258,7 @@ TEST(Grains, PlantsShelterWhereTheyStandNowFromTheWindThatBlowsNow) {
     EXPECT_EQ(state_hash(run.terrain), state_hash(anew.terrain)) << "step " << run.step;
     for (GrainRun* one : {&run, &anew}) {
       const int x = static_cast<int>(7 * one->step);
-      find_field(one->terrain.edit_fields(), plants_field)->values(x, 20) = 1;
+      find_field(one->terrain.edit_fields(), models::plants_field)->values(x, 20) = 1;
     }
   }
 }
@@ -342,7 +346,7 @@ struct GrainRun {
   bool rocks = false;
 };
 
-std::uint64_t end_of(const GrainRun& scene, const ExecutorOptions& options) {
+std::uint64_t end_of(const GrainRun& scene, const compute::ExecutorOptions& options) {
   Terrain terrain = scene.world.strewn();
   if (scene.rocks) raise_rocks(terrain, 150);
   scene.world.run(terrain, options, 4);

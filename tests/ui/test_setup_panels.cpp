@@ -9,6 +9,10 @@
 
 namespace erg::test {
 
+using forcing::interval_columns;
+using forcing::WindInterval;
+using forcing::WindSchedule;
+using models::ModelType;
 using session::SetupRow;
 using ui::make_setup_panel;
 using ui::make_wind_panel;
@@ -36,7 +40,7 @@ TEST(SetupPanel, EveryDeclaredValueOfTheModelHasItsRow) {
 
 TEST(SetupPanel, ChoosesTheModelAndShowsOnlyItsValues) {
   PanelHand panel(make_setup_panel());
-  const ModelType& wanted = find_model("werner");
+  const ModelType& wanted = models::find_model("werner");
   panel.hand.click("SETUP/model");
   panel.hand.click("model=" + wanted.info.title);
   EXPECT_EQ(panel.app.setup().config().model, "werner");
@@ -117,7 +121,7 @@ TEST(WindPanel, AConstantWindIsTurnedAndStrengthened) {
 TEST(WindPanel, ASpreadIsSetTakenBackAndSwitchedOff) {
   PanelHand panel(make_wind_panel());
   const auto season = [&]() -> const WindInterval& { return panel.app.setup().config().wind.intervals.front(); };
-  EXPECT_EQ(season().spread, natural_spread);
+  EXPECT_EQ(season().spread, models::natural_spread);
   panel.hand.enter("WIND/" + interval_columns().find("spread")->label, "25");
   panel.hand.enter("WIND/" + interval_columns().find("hold")->label, "9");
   EXPECT_EQ(season().spread, 25);

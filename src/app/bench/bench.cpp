@@ -17,6 +17,11 @@
 
 namespace erg::app {
 
+using compute::Executor;
+using compute::ExecutorOptions;
+using models::Cover;
+using models::ModelType;
+using models::SlabModel;
 using sim::Config;
 
 namespace {
@@ -30,8 +35,8 @@ constexpr std::uint64_t bench_seed = 1;
 struct Scene {
   std::string name;
   Terrain terrain;
-  SlabLaw law;
-  Forcing wind;
+  models::SlabLaw law;
+  forcing::Forcing wind;
 };
 
 /// A law of slabs on an executor with its own copy of the terrain.
@@ -41,7 +46,7 @@ class LawRun {
       : scene_(scene), terrain_(scene.terrain), executor_(sim::make_executor(options)) {}
 
   std::int64_t step() {
-    return move_slabs(*executor_, terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls;
+    return models::move_slabs(*executor_, terrain_, scene_.law, scene_.wind, {bench_seed, steps_++}).polls;
   }
   const Terrain& terrain() {
     executor_->sync_to_host(terrain_);
@@ -140,7 +145,7 @@ Scene grow(const std::string& model, const std::string& kind, const BenchOptions
 
 /// Scattered plants: every cell has a cover of its own between bare and half.
 Cover scattered_cover(Extent extent) {
-  CoverField cover(extent);
+  models::CoverField cover(extent);
   for (std::size_t cell = 0; cell < cover.size(); ++cell) {
     cover[cell] = static_cast<std::uint8_t>(random_below({bench_seed, 0}, 0, cell, 0, 128));
   }
@@ -237,7 +242,7 @@ std::vector<BenchRow> bench_steps(const std::string& model, const BenchOptions& 
 /// Whether a model is nothing but a law of slabs.
 bool is_law_alone(const ModelType& type) {
   const auto made = type.make(ParameterValues(type.parameters));
-  const Model& model = *made;
+  const models::Model& model = *made;
   return typeid(model) == typeid(SlabModel);
 }
 
@@ -259,7 +264,7 @@ Config bench_config(const std::string& model, int side, const std::vector<std::s
 std::vector<BenchRow> run_bench(const BenchOptions& options) {
   std::vector<BenchRow> rows;
   for (const std::string& model : options.models) {
-    const ModelType& type = find_model(model);
+    const ModelType& type = models::find_model(model);
     for (BenchRow& row :
          is_law_alone(type) ? bench_model(type.info.key, options) : bench_steps(type.info.key, options)) {
       rows.push_back(std::move(row));

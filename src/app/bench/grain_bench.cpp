@@ -39,7 +39,7 @@ class GrainContestant {
     const auto polls = static_cast<double>(simulation_.step().polls);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const double processor = processor_seconds() - processor_start;
-    const auto& grain_model = dynamic_cast<const GrainModel&>(simulation_.model());
+    const auto& grain_model = dynamic_cast<const models::GrainModel&>(simulation_.model());
     const auto grain_steps = static_cast<double>(grain_model.flights().grain_steps);
     row_.polls_per_second = std::max(row_.polls_per_second, polls / seconds);
     row_.grain_steps_per_second = std::max(row_.grain_steps_per_second, grain_steps / seconds);

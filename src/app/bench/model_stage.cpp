@@ -55,7 +55,8 @@ std::vector<ModelScene> grow_scenes(const std::string& model, const BenchOptions
   return scenes;
 }
 
-ModelRun::ModelRun(const ModelScene& scene, const ExecutorOptions& options) : scene_(scene), config_(scene.config) {
+ModelRun::ModelRun(const ModelScene& scene, const compute::ExecutorOptions& options)
+    : scene_(scene), config_(scene.config) {
   set_from_text(config_, "run.executor=" + options.name);
   set_from_text(config_, "run.threads=" + std::to_string(options.threads));
   set_from_text(config_, "run.sweeps=" + std::to_string(options.sweeps));

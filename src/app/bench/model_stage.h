@@ -25,11 +25,11 @@ std::vector<ModelScene> grow_scenes(const std::string& model, const BenchOptions
 /// A run that goes on from a scene on an executor; where nothing moves any more it begins anew.
 class ModelRun {
  public:
-  ModelRun(const ModelScene& scene, const ExecutorOptions& options);
+  ModelRun(const ModelScene& scene, const compute::ExecutorOptions& options);
   /// One step; its polls.
   std::int64_t step();
   const Terrain& terrain() { return simulation_->terrain(); }
-  Executor& executor() { return simulation_->executor(); }
+  compute::Executor& executor() { return simulation_->executor(); }
 
  private:
   void begin();

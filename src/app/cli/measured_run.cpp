@@ -18,6 +18,7 @@ namespace erg::app {
 
 using analysis::coarse_surface;
 using analysis::Layer;
+using models::StepReport;
 using sim::Simulation;
 
 namespace {
@@ -60,7 +61,8 @@ RunStatistics MeasuredRun::statistics() {
   RunStatistics numbers;
   numbers.shape = analysis::measure(terrain);
   const double fall = simulation_.model().shadow_fall(terrain.cell_size());
-  numbers.shadow_fraction = analysis::shadow_fraction(shadow_map(terrain, simulation_.last_wind().bearing, fall));
+  numbers.shadow_fraction =
+      analysis::shadow_fraction(forcing::shadow_map(terrain, simulation_.last_wind().bearing, fall));
   const analysis::CoarseSurface surface = coarse_surface(terrain, Layer::surface);
   numbers.spectrum = analysis::measure_spectrum(surface);
   numbers.crest_spacing = analysis::crest_spacing(surface, simulation_.last_wind().mean_bearing());
@@ -122,7 +124,7 @@ void add_run(NumbersWithUnits& all, Simulation& simulation) {
   all.add("seed", "", config.run.integer("seed"));
   all.add("executor", "", simulation.executor().name());
   all.add("threads", "1", simulation.executor().threads());
-  all.add("instructions", "", to_string(wanted_instruction_set()));
+  all.add("instructions", "", compute::to_string(compute::wanted_instruction_set()));
   all.add("sweeps", "1", config.run.integer("sweeps"));
 }
 
@@ -156,7 +158,7 @@ std::string statistics_json(Simulation& simulation, const RunStatistics& numbers
   NumbersWithUnits all;
   add_run(all, simulation);
   add_numbers(all, numbers);
-  for (const Reading& reading : numbers.readings) {
+  for (const models::Reading& reading : numbers.readings) {
     all.add(reading.key, reading.unit.empty() ? "1" : reading.unit.c_str(), reading.value);
   }
   if (simulation.finished()) all.add("why_finished", "", simulation.totals().why_finished);

@@ -91,7 +91,7 @@ void check_picture(const RenderRequest& request, Simulation& simulation) {
   simulation.watch_flux(false);
   if (flux) check_steps(request, simulation, "--look flux", FluxWatch::steps_of_mean);
   if (request.paths == 0) return;
-  if (dynamic_cast<const GrainModel*>(&simulation.model()) == nullptr) {
+  if (dynamic_cast<const models::GrainModel*>(&simulation.model()) == nullptr) {
     throw InputError("--paths", "the model " + simulation.config().model + " moves no single grains", "leave it out");
   }
   check_steps(request, simulation, "--paths", 1);
@@ -143,7 +143,7 @@ void add_render_command(CLI::App& program, Action& action) {
   command->add_option("SOURCE", request->source, "Config file, name of a preset, or checkpoint")->required();
   command->add_option("--out", request->out, "PNG or JPEG file to write")->required();
   command->add_option("--steps", request->steps, "Step to draw (default: a config's last step; a checkpoint's own)")
-      ->check(whole_number(0, most_steps));
+      ->check(whole_number(0, forcing::most_steps));
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

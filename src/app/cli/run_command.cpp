@@ -26,6 +26,7 @@
 
 namespace erg::app {
 
+using forcing::most_steps;
 using io::RunMeter;
 using sim::Simulation;
 
@@ -84,7 +85,7 @@ std::string migration_text(const analysis::Shift& migration) {
   const std::string text = fixed_text(speed, 3) + " cells a step";
   if (!(speed > 0)) return text;
   // Of what moves toward (x, y), as opposed to a wind that blows from there.
-  return text + " toward " + fixed_text(bearing_of({-migration.x, -migration.y}), 0) + "°";
+  return text + " toward " + fixed_text(forcing::bearing_of({-migration.x, -migration.y}), 0) + "°";
 }
 
 void print_summary(Simulation& simulation, const RunStatistics& numbers) {

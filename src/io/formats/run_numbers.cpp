@@ -72,12 +72,12 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
   const Shift migration = migration_.velocity().value_or(Shift{unknown, unknown});
   migration_.start_anew();
   const Terrain& terrain = simulation.terrain();
-  const Forcing wind = simulation.last_wind();
+  const forcing::Forcing wind = simulation.last_wind();
   const analysis::Morphometry shape = analysis::measure(terrain);
   const double fall = simulation.model().shadow_fall(terrain.cell_size());
   const analysis::CoarseSurface surface = coarse_surface(terrain, Layer::surface);
   const analysis::SpectrumNumbers spectrum = analysis::measure_spectrum(surface);
-  const StepReport& totals = simulation.totals();
+  const models::StepReport& totals = simulation.totals();
   const auto cell_steps =
       static_cast<double>(terrain.extent().cells()) * static_cast<double>(simulation.step_count() - last_step_);
   std::vector<double> row{static_cast<double>(simulation.step_count()),
@@ -88,7 +88,7 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
                           shape.mean_slabs,
                           shape.sd_slabs,
                           shape.bare_fraction,
-                          analysis::shadow_fraction(shadow_map(terrain, wind.bearing, fall)),
+                          analysis::shadow_fraction(forcing::shadow_map(terrain, wind.bearing, fall)),
                           spectrum.wavelength,
                           analysis::crest_spacing(surface, wind.mean_bearing()),
                           spectrum.crest_bearing.value_or(unknown),

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
-namespace erg {
+namespace erg::models {
 
-PathWatch::PathWatch(const Terrain& terrain, const WindFrame& frame, double lowest)
+PathWatch::PathWatch(const Terrain& terrain, const forcing::WindFrame& frame, double lowest)
     : frame_(frame),
       nx_(terrain.nx()),
       cell_size_(static_cast<float>(terrain.cell_size())),
@@ -41,4 +41,4 @@ std::vector<GrainPath> PathWatch::take_paths() {
   return std::move(paths_);
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -9,14 +9,14 @@
 #include "forcing/wind_frame.h"
 #include "models/grains/grain_cell.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Watches flights (see `fly`) and notes every point, in metres of the terrain. Where a grain leaves a torus over one
 /// side and enters over the other, its line ends and another begins.
 class PathWatch {
  public:
   /// `lowest`: height (m) that the frozen ground counts from.
-  PathWatch(const Terrain& terrain, const WindFrame& frame, double lowest);
+  PathWatch(const Terrain& terrain, const forcing::WindFrame& frame, double lowest);
 
   /// The next points are another grain's.
   void start();
@@ -26,7 +26,7 @@ class PathWatch {
   std::vector<GrainPath> take_paths();
 
  private:
-  WindFrame frame_;
+  forcing::WindFrame frame_;
   int nx_;
   float cell_size_;
   float lowest_;
@@ -35,4 +35,4 @@ class PathWatch {
   std::vector<GrainPath> paths_;
 };
 
-}  // namespace erg
+}  // namespace erg::models

@@ -12,7 +12,11 @@
 #include "models/grains/grain_paths.h"
 #include "models/grains/plant_wakes.h"
 
-namespace erg {
+namespace erg::models {
+
+using forcing::Forcing;
+using forcing::WindFrame;
+
 namespace {
 
 std::vector<FieldInfo> grain_fields() {
@@ -52,7 +56,7 @@ GrainModel::GrainModel(const GrainValues& values) : values_(values) {}
 double GrainModel::quantum() const { return values_.parcel_height * 1e-3; }
 
 double GrainModel::shadow_fall(double cell_size) const {
-  return erg::shadow_fall(values_.shadow_angle, cell_size, quantum());
+  return erg::forcing::shadow_fall(values_.shadow_angle, cell_size, quantum());
 }
 
 void GrainModel::begin(Terrain& terrain) {
@@ -120,8 +124,8 @@ GrainStepLaw GrainModel::step_law(const Terrain& terrain, const WindFrame& frame
   return law;
 }
 
-StepReport GrainModel::step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) {
-  const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
+StepReport GrainModel::step(Terrain& terrain, const Forcing& wind, StepKey key, compute::Executor& executor) {
+  const WindFrame frame = forcing::wind_frame(terrain.extent(), wind.bearing);
   const GrainStepLaw law = step_law(terrain, frame, wind);
   GroundLook look;
   if (paths_wanted_ > 0) {
@@ -195,4 +199,4 @@ ModelType grains() {
       .explain = explain_grains};
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -24,7 +24,7 @@
 #include "models/grains/grain_values.h"
 #include "models/model.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Key of the layer of plants that the model declares; that of bonded grains is `bonded_field`.
 inline constexpr const char* plants_field = "vegetation";
@@ -36,7 +36,7 @@ class GrainModel : public Model {
 
   double quantum() const override;
   void begin(Terrain& terrain) override;
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override;
+  StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) override;
   double shadow_fall(double cell_size) const override;
   std::vector<Reading> readings() const override;
   void keep_paths(int count) override { paths_wanted_ = count; }
@@ -46,9 +46,10 @@ class GrainModel : public Model {
   const FlightCounters& flights() const { return flights_; }
 
  private:
-  std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
-  GrainStepLaw step_law(const Terrain& terrain, const WindFrame& frame, const Forcing& wind);
-  void trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law, StepKey key,
+  std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const forcing::WindFrame& frame,
+                                                    double bearing);
+  GrainStepLaw step_law(const Terrain& terrain, const forcing::WindFrame& frame, const forcing::Forcing& wind);
+  void trace_paths(const Terrain& terrain, const forcing::WindFrame& frame, const GrainStepLaw& law, StepKey key,
                    const SurfaceSnapshot& ground);
 
   GrainValues values_;
@@ -66,4 +67,4 @@ class GrainModel : public Model {
 /// The catalogue entry.
 ModelType grains();
 
-}  // namespace erg
+}  // namespace erg::models

@@ -2,7 +2,7 @@
 
 #include "models/slab/slab_model.h"
 
-namespace erg {
+namespace erg::models {
 
 ModelType bishop() {
   return slab_model_type(
@@ -16,4 +16,4 @@ ModelType bishop() {
       {.repose_angle = 33.7, .lift_in_shadow = false, .hop_grows_with_height = true, .deviation_weight = 0.5});
 }
 
-}  // namespace erg
+}  // namespace erg::models

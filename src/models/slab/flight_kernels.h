@@ -4,7 +4,7 @@
 
 #include "models/slab/line.h"
 
-namespace erg::slab {
+namespace erg::models::slab {
 
 /// A cell as a slab meets it: chances, random words. `row` may lie beyond the grid; it keys the random numbers.
 struct Ground {
@@ -70,7 +70,7 @@ ERG_ON_DEVICE std::int32_t rows_on_from(const Plan& plan, const Ground& ground, 
 
 ERG_ON_DEVICE void set_down(const Plan& plan, std::int32_t cell, std::uint32_t slabs) {
   if (slabs == 0) return;
-  raise(plan.next_highest, height_of(atomic_add(plan.after + cell, slabs)) + slabs);
+  compute::raise(plan.next_highest, height_of(compute::atomic_add(plan.after + cell, slabs)) + slabs);
 }
 
 /// The first row from `row` on, before `end`, over which slabs drop because bedrock stands too steeply in the next one;
@@ -89,53 +89,53 @@ ERG_ON_DEVICE std::int32_t wall_before(const Plan& plan, std::int32_t line, std:
 /// Lets `slabs` fly from `row` toward `end` on their line: they drop at a wall or leave an open grid on their way, or
 /// get there. Returns whether they got there, and books the rows that they did not fly.
 ERG_ON_DEVICE bool fly(const Plan& plan, std::int32_t line, std::int32_t row, std::int32_t end, std::uint32_t slabs,
-                       StepCounters& counted) {
+                       kernels::StepCounters& counted) {
   const std::int32_t edge = plan.open ? leaving_row(plan, line, row) : end + 1;
   // Over an open edge no wall is met.
   const std::int32_t walls_end = end < edge - 1 ? end : edge - 1;
   const std::int32_t wall = wall_before(plan, line, row, walls_end);
   if (wall < walls_end) {
     set_down(plan, cell_of(plan, line, wall), slabs);
-    counted.of[counted_rows] -= static_cast<std::int64_t>(end - wall) * slabs;
+    counted.of[kernels::counted_rows] -= static_cast<std::int64_t>(end - wall) * slabs;
     return false;
   }
   if (end < edge) return true;
-  counted.of[counted_out] += slabs;
-  counted.of[counted_rows] -= static_cast<std::int64_t>(end - edge) * slabs;
+  counted.of[kernels::counted_out] += slabs;
+  counted.of[kernels::counted_rows] -= static_cast<std::int64_t>(end - edge) * slabs;
   return false;
 }
 
 /// Hands a slab that comes down beyond the torus edge to its line's list.
 ERG_ON_DEVICE void carry_over(const Plan& plan, std::int32_t line, std::int32_t row) {
-  const std::int32_t place = atomic_add(plan.aloft_count, 1);
+  const std::int32_t place = compute::atomic_add(plan.aloft_count, 1);
   plan.aloft[place].row = row;
-  plan.aloft[place].next = atomic_exchange(plan.first_aloft + line, place);
+  plan.aloft[place].next = compute::atomic_exchange(plan.first_aloft + line, place);
 }
 
 /// Follows one slab from `row`, where it is in the air, to where it comes down next, and on until it stays.
 ERG_ON_DEVICE void follow(const Plan& plan, std::int32_t line, std::int32_t row, std::int32_t end,
-                          StepCounters& counted) {
+                          kernels::StepCounters& counted) {
   while (fly(plan, line, row, end, 1, counted)) {
     if (end >= plan.length) {
       carry_over(plan, line, end);
       return;
     }
     const Ground ground = ground_at(plan, line, end);
-    const std::uint32_t number = atomic_add(plan.after + ground.cell, one_arrival) >> 16;
+    const std::uint32_t number = compute::atomic_add(plan.after + ground.cell, one_arrival) >> 16;
     if (stays(ground, number)) {
       set_down(plan, ground.cell, 1);
       return;
     }
     const std::int32_t rows = rows_on_from(plan, ground, end);
-    counted.of[counted_rows] += rows;
+    counted.of[kernels::counted_rows] += rows;
     row = end;
     end = row + rows;
   }
 }
 
 /// Open boundary: slabs come in at row 0 (items up to the width) and where lines enter sideways (one item a row).
-ERG_ON_DEVICE void let_in(const Plan& plan, Items items) {
-  StepCounters counted;
+ERG_ON_DEVICE void let_in(const Plan& plan, compute::Items items) {
+  kernels::StepCounters counted;
   EACH_ITEM(item, plan.width + plan.length - 1) {
     std::int32_t row = 0;
     std::int32_t line = item;
@@ -154,7 +154,7 @@ ERG_ON_DEVICE void let_in(const Plan& plan, Items items) {
       const std::uint32_t part = mix32(random + static_cast<std::uint32_t>(slab)) >> 16;
       follow(plan, line, row, row + static_cast<std::int32_t>((rows_256 * part) >> 24), counted);
     }
-    counted.of[counted_in] += slabs;
+    counted.of[kernels::counted_in] += slabs;
   }
   counted.add_to(plan.counters, items);
 }
@@ -166,8 +166,8 @@ ERG_ON_DEVICE bool carried_out(const SubSweep& sweep, std::uint64_t word, std::u
 }
 
 /// Polls one cell in each block of a line, lifts its slab and follows it.
-ERG_ON_DEVICE void lift(const Plan& plan, Items items) {
-  StepCounters counted;
+ERG_ON_DEVICE void lift(const Plan& plan, compute::Items items) {
+  kernels::StepCounters counted;
   const std::int32_t block = poll_rows(plan.sweep);
   const std::int32_t blocks = (plan.length + block - 1) / block;
   // Nobody reads this bound any more; it starts anew for the plane after the next.
@@ -182,16 +182,16 @@ ERG_ON_DEVICE void lift(const Plan& plan, Items items) {
                                                        : random & static_cast<std::uint32_t>(plan.sweep.sweeps - 1);
     const auto row = static_cast<std::int32_t>(number) * block + static_cast<std::int32_t>(in_block);
     if (in_block >= static_cast<std::uint32_t>(block) || row >= plan.length) continue;
-    ++counted.of[counted_polls];
+    ++counted.of[kernels::counted_polls];
     const Ground ground = ground_at(plan, line, row);
     if (ground.held) continue;
     const std::int32_t rows = hop_from(plan, ground, row);
-    ++counted.of[counted_lifts];
+    ++counted.of[kernels::counted_lifts];
     // Nobody else polls this cell in this sub-sweep.
     if (plan.lift_counts) ++plan.lift_counts[plan.order.place(ground.cell)];
     if (rows == 0) continue;  // it lies where it lay
-    atomic_add(plan.after + ground.cell, ~std::uint32_t{0});
-    counted.of[counted_rows] += rows;
+    compute::atomic_add(plan.after + ground.cell, ~std::uint32_t{0});
+    counted.of[kernels::counted_rows] += rows;
     follow(plan, line, row, row + rows, counted);
   }
   counted.add_to(plan.counters, items);
@@ -225,8 +225,8 @@ ERG_ON_DEVICE void send_on(const Plan& plan, std::int32_t first, std::int32_t fr
 }
 
 /// Slabs that flew over the torus edge go on until they stay, row after row of a line.
-ERG_ON_DEVICE void carry(const Plan& plan, Items items) {
-  StepCounters counted;
+ERG_ON_DEVICE void carry(const Plan& plan, compute::Items items) {
+  kernels::StepCounters counted;
   const std::int64_t last_free_row = static_cast<std::int64_t>(longest_flight + 1) * plan.length;
   EACH_ITEM(item, plan.width) {
     const std::int32_t line = item;
@@ -240,7 +240,7 @@ ERG_ON_DEVICE void carry(const Plan& plan, Items items) {
       set_down(plan, ground.cell, landed);
       std::uint32_t leaving = now.slabs - landed;
       const std::int32_t rows = rows_on_from(plan, ground, now.row);
-      counted.of[counted_rows] += static_cast<std::int64_t>(rows) * leaving;
+      counted.of[kernels::counted_rows] += static_cast<std::int64_t>(rows) * leaving;
       if (leaving > 0 && !fly(plan, line, now.row, now.row + rows, leaving, counted)) leaving = 0;
       send_on(plan, first, now.row, now.row + rows, leaving);
     }
@@ -248,4 +248,4 @@ ERG_ON_DEVICE void carry(const Plan& plan, Items items) {
   counted.add_to(plan.counters, items);
 }
 
-}  // namespace erg::slab
+}  // namespace erg::models::slab

@@ -4,7 +4,7 @@
 #include "compute/kernel.h"
 #include "models/slab/plan.h"
 
-namespace erg::slab {
+namespace erg::models::slab {
 
 ERG_ON_DEVICE std::uint32_t height_of(std::uint32_t ground_word) { return ground_word & height_mask; }
 
@@ -76,4 +76,4 @@ ERG_ON_DEVICE std::int32_t entering_row(const Plan& plan, std::int32_t line, std
   return first > 0 ? static_cast<std::int32_t>(first) : 0;
 }
 
-}  // namespace erg::slab
+}  // namespace erg::models::slab

@@ -2,7 +2,7 @@
 
 #include "models/slab/slab_model.h"
 
-namespace erg {
+namespace erg::models {
 
 ModelType momiji() {
   return slab_model_type(
@@ -17,4 +17,4 @@ ModelType momiji() {
       {.repose_angle = 33.7, .lift_in_shadow = false, .hop_grows_with_height = true, .deviation_weight = 0});
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -8,7 +8,7 @@
 #include "models/slab/plants.h"
 #include "models/slab/slab_model.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 constexpr SlabFamily plant_family{
@@ -75,7 +75,7 @@ class NieldBaas : public SlabModel {
 
   void edited(Terrain& terrain) override { plants_->cover(terrain); }
 
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.lift_in_shadow = values_.lift_in_shadow;
     law.covered = ReposeSteps::of_angle(values_.vegetated_repose_angle, terrain.cell_size(), quantum());
@@ -118,4 +118,4 @@ ModelType nield_baas() {
       .step_scale = plant_step_scale};
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -7,8 +7,13 @@
 #include "models/slab/slab_kernels.h"
 #include "models/slab/terrain_heights.h"
 
-namespace erg {
+namespace erg::models {
 
+using forcing::WindFrame;
+using kernels::counted_in;
+using kernels::counted_lifts;
+using kernels::counted_out;
+using kernels::step_counters;
 using slab::Kernels;
 
 // --- in and out ---
@@ -32,7 +37,7 @@ void SlabOnDevice::allocate(const Terrain& terrain) {
   backend_.fit(highest_, 2);
   backend_.fit(hop_table_, slab::hop_heights);
   backend_.fit(height_counts_, slab::hop_heights);
-  backend_.fit(counters_, std::size_t{counter_slots} * step_counters);
+  backend_.fit(counters_, std::size_t{compute::counter_slots} * step_counters);
   backend_.fill(first_aloft_, 0xff);
 }
 
@@ -133,7 +138,7 @@ slab::Plan SlabOnDevice::layout() const {
   plan.aloft = aloft_.data();
   plan.aloft_count = aloft_count_.data();
   plan.counters = counters_.data();
-  plan.order = terrain_order(frame_);
+  plan.order = kernels::terrain_order(frame_);
   plan.staged = staged_.data();
   plan.shown = shown_.data();
   plan.bands_changed = bands_changed_.data();
@@ -143,7 +148,7 @@ slab::Plan SlabOnDevice::layout() const {
 
 void SlabOnDevice::load_cover(const SlabLaw& law) {
   if (law.cover == nullptr) {
-    cover_ = Buffer<std::uint8_t>();
+    cover_ = compute::Buffer<std::uint8_t>();
     cover_stamp_ = 0;
     kept_cover_.reset();
     return;
@@ -204,7 +209,7 @@ StepReport SlabOnDevice::step(Terrain&, const SlabLaw& law, const WindFrame& fra
   frame_ = frame;
   slab::Plan plan = step_plan(law, strength, key);
   backend_.fill(counters_, 0);
-  StepCounters counts;
+  kernels::StepCounters counts;
   StepAccount account;
   while (goes_on(law, account, cells(), sweeps_)) {
     if (!law.repeated_polling && account.sweep % sweeps_ == 0) polled_rows_.draw(key, account.sweep, sweeps_);
@@ -221,9 +226,9 @@ StepReport SlabOnDevice::step(Terrain&, const SlabLaw& law, const WindFrame& fra
   if (lift_counts != nullptr) take_lift_counts(*lift_counts);
   mobile_total_ += counts.of[counted_in] - counts.of[counted_out];
   StepReport report;
-  report.polls = counts.of[counted_polls];
+  report.polls = counts.of[kernels::counted_polls];
   report.lifts = counts.of[counted_lifts];
-  report.travel = static_cast<double>(counts.of[counted_rows]) / frame_.cosine;
+  report.travel = static_cast<double>(counts.of[kernels::counted_rows]) / frame_.cosine;
   report.slabs_in = counts.of[counted_in];
   report.slabs_out = counts.of[counted_out];
   return report;
@@ -271,4 +276,4 @@ void SlabOnDevice::slide(slab::Plan plan, const SlabLaw& law) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -16,7 +16,7 @@
 #include "models/slab/slab_cell.h"
 #include "models/slab/sub_sweep.h"
 
-namespace erg::slab {
+namespace erg::models::slab {
 
 inline constexpr std::uint32_t height_mask = 0xffff;
 inline constexpr std::uint32_t one_arrival = 0x10000;
@@ -55,7 +55,7 @@ struct Plan {
   std::int32_t* first_aloft = nullptr;  ///< for each line; -1: none
   Aloft* aloft = nullptr;
   std::int32_t* aloft_count = nullptr;
-  CounterWord* counters = nullptr;  ///< counter_slots * step_counters
+  compute::CounterWord* counters = nullptr;  ///< counter_slots * step_counters
 
   int shadow_rows = 32;           ///< of a line that one thread scans for shadow
   PlaneLayout tiles;              ///< only its blocks and their skew: on the device a plane is not cut
@@ -64,7 +64,7 @@ struct Plan {
   int critical_step_covered = 0;  ///< the same where the higher cell's cover is covered_from or more
   int covered_from = 256;
 
-  TerrainOrder order;
+  kernels::TerrainOrder order;
   std::int32_t* staged = nullptr;          ///< a layer in the terrain's order, on its way in or from frame to frame
   std::int32_t* lift_counts = nullptr;     ///< slabs lifted from each cell in the terrain's order; null: not counted
   std::int32_t* shown = nullptr;           ///< the surface in the terrain's order as the processor last saw it
@@ -73,4 +73,4 @@ struct Plan {
   ERG_CELL_RULE std::int32_t cells() const { return width * length; }
 };
 
-}  // namespace erg::slab
+}  // namespace erg::models::slab

@@ -8,7 +8,7 @@
 #include "core/random.h"
 #include "kernels/fixed_point.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Cells: no hop grows shorter with the height of its ground than this, or than it is in this wind anyway.
 inline constexpr double shortest_hop = 1.0;
@@ -46,7 +46,7 @@ ERG_CELL_RULE std::uint32_t line_byte(std::uint32_t key, std::uint32_t line) {
 /// mean.
 ERG_CELL_RULE int hop_rows_alike(std::uint32_t rows_256) {
   constexpr int most = 8;
-  const int whole = static_cast<int>(rows_256 >> fixed_point_bits);
+  const int whole = static_cast<int>(rows_256 >> kernels::fixed_point_bits);
   return whole < 1 ? 1 : whole < most ? whole : most;
 }
 
@@ -107,7 +107,7 @@ ERG_CELL_RULE double hop_cells(double strength, double linear, double quadratic,
 ERG_CELL_RULE std::uint32_t hop_rows_256(const HopCurve& curve, double above_reference) {
   const double rows = hop_cells(curve.strength, curve.linear, curve.quadratic, above_reference) * curve.cosine;
   const double kept = rows < curve.most_rows ? rows : curve.most_rows;
-  const auto rows_256 = static_cast<std::int64_t>(kept * (1 << fixed_point_bits) + curve.rounding);
+  const auto rows_256 = static_cast<std::int64_t>(kept * (1 << kernels::fixed_point_bits) + curve.rounding);
   return static_cast<std::uint32_t>(rows_256 > 1 ? rows_256 : 1);
 }
 
@@ -119,4 +119,4 @@ ERG_CELL_RULE std::uint32_t hop_rows(std::uint32_t rows_256, std::uint32_t rando
 }
 ERG_CELL_RULE std::uint32_t rows_on(std::uint32_t hop_rows) { return hop_rows > 0 ? hop_rows : 1; }
 
-}  // namespace erg
+}  // namespace erg::models

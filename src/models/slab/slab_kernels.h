@@ -6,12 +6,12 @@
 #include "models/slab/shadow_kernels.h"
 #include "models/slab/slide_kernels.h"
 
-namespace erg::slab {
+namespace erg::models::slab {
 
 struct Kernels {
-#define ERG_KERNEL(family, name) static const KernelOf<Plan> name;
+#define ERG_KERNEL(family, name) static const compute::KernelOf<Plan> name;
 #include "models/slab/slab_kernels.def"
 #undef ERG_KERNEL
 };
 
-}  // namespace erg::slab
+}  // namespace erg::models::slab

@@ -3,7 +3,7 @@
 
 #include "models/slab/line.h"
 
-namespace erg::slab {
+namespace erg::models::slab {
 
 /// The step that stands over an edge, seen from its higher cell.
 ERG_ON_DEVICE std::uint32_t critical_step_at(const Plan& plan, std::int32_t cell) {
@@ -68,7 +68,7 @@ ERG_ON_DEVICE std::int32_t tiles_along(const Plan& plan) {
 }
 
 /// Edges of a class inside tiles. An item for each pair of rows and place, or for each row and pair of places.
-ERG_ON_DEVICE void slide_tiles(const Plan& plan, Items items) {
+ERG_ON_DEVICE void slide_tiles(const Plan& plan, compute::Items items) {
   const bool across = is_across(plan.edges);
   const std::int32_t odd = plan.edges & 1;
   const std::int32_t pairs = ((across ? plan.width : plan.length) + 1) / 2;
@@ -91,7 +91,7 @@ ERG_ON_DEVICE void slide_tiles(const Plan& plan, Items items) {
 
 /// Edges between one tile and the next along the rows. An item for each place and seam, the one over the torus edge
 /// last.
-ERG_ON_DEVICE void slide_row_seams(const Plan& plan, Items items) {
+ERG_ON_DEVICE void slide_row_seams(const Plan& plan, compute::Items items) {
   const std::int32_t tiles = tiles_along(plan);
   const std::int32_t seams = plan.open || plan.length <= 2 ? tiles - 1 : tiles;
   EACH_ITEM(item, seams * plan.width) {
@@ -122,7 +122,7 @@ ERG_ON_DEVICE void slide_diagonals_across(const Plan& plan, std::int32_t left, s
 }
 
 /// Edges of a class between one block and the next. An item for each row and seam, the one over the torus edge last.
-ERG_ON_DEVICE void slide_column_seams(const Plan& plan, Items items) {
+ERG_ON_DEVICE void slide_column_seams(const Plan& plan, compute::Items items) {
   const std::int32_t blocks = plan.tiles.blocks;
   const std::int32_t seams = plan.open || plan.width <= 2 ? blocks - 1 : blocks;
   // The last row has one above it over the torus edge; on skewed tiles the corners are for slide_corners.
@@ -146,11 +146,11 @@ ERG_ON_DEVICE void slide_column_seams(const Plan& plan, Items items) {
 
 /// Skewed tiles: diagonal edges between blocks over the torus edge, whose upper cells may belong to any other seam. An
 /// item for each seam.
-ERG_ON_DEVICE void slide_corners(const Plan& plan, Items items) {
+ERG_ON_DEVICE void slide_corners(const Plan& plan, compute::Items items) {
   EACH_ITEM(seam, plan.tiles.blocks) {
     const std::int32_t right = seam + 1 == plan.tiles.blocks ? 0 : (seam + 1) * plan.tiles.block_columns;
     slide_diagonals_across(plan, right == 0 ? plan.width - 1 : right - 1, right, plan.length - 1);
   }
 }
 
-}  // namespace erg::slab
+}  // namespace erg::models::slab

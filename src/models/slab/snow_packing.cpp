@@ -10,7 +10,7 @@
 #include "models/slab/slab_model.h"
 #include "models/slab/snow_density.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 constexpr SlabFamily packing_family{.timed_by_flux = false};  // else Werner's
@@ -126,7 +126,7 @@ class SnowPacking : public SlabModel {
     fields[density].values.fill(static_cast<float>(start * snow_class(values_, 0).most));
   }
 
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover(terrain);
     StepReport report = move_slabs(executor, terrain, law, wind, key);
@@ -194,4 +194,4 @@ ModelType snow_packing() {
           }};
 }
 
-}  // namespace erg
+}  // namespace erg::models

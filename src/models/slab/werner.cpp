@@ -2,7 +2,7 @@
 
 #include "models/slab/slab_model.h"
 
-namespace erg {
+namespace erg::models {
 
 ModelType werner() {
   return slab_model_type({.key = "werner",
@@ -15,4 +15,4 @@ ModelType werner() {
                          {});
 }
 
-}  // namespace erg
+}  // namespace erg::models

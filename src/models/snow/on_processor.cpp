@@ -5,10 +5,12 @@
 
 #include "models/snow/snow_one_by_one.h"
 
-namespace erg {
+namespace erg::models {
+
+using forcing::Forcing;
 
 StepReport SnowOnProcessor::step(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key,
-                                 Executor& executor) {
+                                 compute::Executor& executor) {
   executor_ = &executor;
   begin(terrain, snow, wind, key);
   measure_heights();
@@ -33,7 +35,7 @@ StepReport SnowOnProcessor::step(Terrain& terrain, const SnowStep& snow, const F
   return report_;
 }
 
-void SnowOnProcessor::load(const Terrain& terrain, const WindFrame&) {
+void SnowOnProcessor::load(const Terrain& terrain, const forcing::WindFrame&) {
   const Grid<float>& bonded = snow_layer(terrain.fields(), SnowLayer::bonded);
   loose_.resize(terrain.extent().cells());
   for (std::size_t cell = 0; cell < loose_.size(); ++cell) {
@@ -43,10 +45,10 @@ void SnowOnProcessor::load(const Terrain& terrain, const WindFrame&) {
 
 /// Says where everything lies.
 void SnowOnProcessor::begin(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key) {
-  constexpr int line_of_cells = static_cast<int>(cache_line / sizeof(FlightCell));
+  constexpr int line_of_cells = static_cast<int>(compute::cache_line / sizeof(FlightCell));
   std::vector<Field>& fields = terrain.edit_fields();
   const auto layer = [&fields](SnowLayer which) { return snow_layer(fields, which).cells().data(); };
-  frame_ = wind_frame(terrain.extent(), wind.bearing);
+  frame_ = forcing::wind_frame(terrain.extent(), wind.bearing);
   key_ = key;
   report_ = {};
   SnowPlanes& planes = planes_;
@@ -175,4 +177,4 @@ void SnowOnProcessor::let_snow_fall() {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::models

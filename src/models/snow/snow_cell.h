@@ -7,7 +7,7 @@
 #include "core/cell_rule.h"
 #include "core/random.h"
 
-namespace erg {
+namespace erg::models {
 
 /// A smooth function of a positive number, made once: eight places an octave, straight between them.
 struct OctaveTable {
@@ -319,4 +319,4 @@ ERG_CELL_RULE RestingSnow rested(const SnowLaw& law, const RestingSnow& snow, st
   return {snow.mobile, snow.loose - bonding, bonding > 0 ? mixed : age, snow.rest};
 }
 
-}  // namespace erg
+}  // namespace erg::models

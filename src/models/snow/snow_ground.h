@@ -9,7 +9,7 @@
 #include "kernels/fixed_point.h"
 #include "models/snow/snow_cell.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The layers that snow moves. Cell (u, v) of the wind's frame is cell origin + u * step_u + v * step_v of them.
 struct SnowGround {
@@ -105,8 +105,8 @@ struct SnowShadow {
 
 /// `fall`: of the shadow, slabs a cell; `relief`: slabs from the lowest surface to the highest.
 ERG_CELL_RULE SnowShadow snow_shadow(double fall, double tangent, double cosine, bool open, int length, int relief) {
-  return {fixed_point(fall / cosine), fixed_point(fall), static_cast<std::int64_t>(tangent * 0x1p24),
-          open ? 0 : -shadow_reach(relief, fall, cosine, 2 * length)};
+  return {kernels::fixed_point(fall / cosine), kernels::fixed_point(fall), static_cast<std::int64_t>(tangent * 0x1p24),
+          open ? 0 : -forcing::shadow_reach(relief, fall, cosine, 2 * length)};
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -6,7 +6,7 @@
 #include "kernels/each_lane.h"
 #include "models/snow/snow_planes.h"
 
-namespace erg {
+namespace erg::models {
 namespace ERG_KERNELS {
 namespace {
 
@@ -251,4 +251,4 @@ const SnowKernels snow_kernels{
     rates, runs, scatter, rest, strength, poll_all, fly, steep, {add_row, add_sums, add_up, average}};
 
 }  // namespace ERG_KERNELS
-}  // namespace erg
+}  // namespace erg::models

@@ -15,7 +15,11 @@
 #include "models/snow/snow_step.h"
 #include "models/snow/snow_step_random.h"
 
-namespace erg {
+namespace erg::models {
+
+using compute::Executor;
+using forcing::Forcing;
+
 namespace {
 
 constexpr double wind_height = 10;  // m
@@ -70,7 +74,7 @@ class SnowSintering : public Model {
 
   double quantum() const override { return values_.slab_height; }
   double shadow_fall(double cell_size) const override {
-    return erg::shadow_fall(values_.shadow_angle, cell_size, quantum());
+    return erg::forcing::shadow_fall(values_.shadow_angle, cell_size, quantum());
   }
   void prepare(const Beginning& beginning) override {
     seed_ = beginning.seed;
@@ -200,4 +204,4 @@ ModelType snow_sintering() {
           }};
 }
 
-}  // namespace erg
+}  // namespace erg::models

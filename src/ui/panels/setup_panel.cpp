@@ -9,6 +9,7 @@
 
 namespace erg::ui {
 
+using models::ModelType;
 using session::AppModel;
 using session::Settings;
 using session::Setup;
@@ -124,7 +125,7 @@ void SetupPanel::draw_model(Setup& setup) {
     }
     ImGui::EndCombo();
   }
-  const ModelInfo& info = setup.model().info;
+  const models::ModelInfo& info = setup.model().info;
   explain("Makes " + info.makes + ".");
   explain("Leaves out: " + info.leaves_out + ".");
 }
