@@ -11,6 +11,10 @@
 #include "models/slab/slab_cell.h"
 #include "models/slab/sweep.h"
 
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
 namespace erg::models {
 namespace ERG_KERNELS {
 namespace {
