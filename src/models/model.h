@@ -21,6 +21,14 @@
 
 namespace erg::models {
 
+/// A scene on which the speed of a model is measured (`erg bench`).
+struct BenchScene {
+  std::string name = {};
+  int steps = 0;                           ///< until its forms stand
+  bool oblique = false;                    ///< under a wind that is turned from the grid
+  std::vector<std::string> settings = {};  ///< what is changed of the model's own start, as `--set` takes it
+};
+
 /// What a model is, for people.
 struct ModelInfo {
   std::string key = {};                ///< name in configs and on the command line
@@ -36,6 +44,10 @@ struct ModelInfo {
   /// config.
   std::vector<std::string> channels = {};
   std::vector<std::string> painted = {};  ///< keys of the fields that people may paint
+  bool moves_grains = false;              ///< of which trajectories can be kept (Model::keep_paths)
+  /// The first is the plain one, which the others are set beside.
+  std::vector<BenchScene> bench_scenes = {{.name = "dunes", .steps = 20},
+                                          {.name = "oblique wind", .steps = 20, .oblique = true}};
 };
 
 /// What one time step stands for in the world.

@@ -18,7 +18,6 @@
 #include "io/config/config_file.h"
 #include "io/formats/jpeg.h"
 #include "io/formats/png.h"
-#include "models/grains/grains.h"
 #include "render/gl_context.h"
 
 namespace erg::app {
@@ -91,7 +90,7 @@ void check_picture(const RenderRequest& request, Simulation& simulation) {
   simulation.watch_flux(false);
   if (flux) check_steps(request, simulation, "--look flux", FluxWatch::steps_of_mean);
   if (request.paths == 0) return;
-  if (dynamic_cast<const models::GrainModel*>(&simulation.model()) == nullptr) {
+  if (!simulation.model_type().info.moves_grains) {
     throw InputError("--paths", "the model " + simulation.config().model + " moves no single grains", "leave it out");
   }
   check_steps(request, simulation, "--paths", 1);

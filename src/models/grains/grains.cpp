@@ -191,7 +191,8 @@ ModelType grains() {
                .step = "one step polls as many grains as the grid has cells",
                .strength_label = "wind speed at wind_height, m/s (or friction velocity, m/s: see strength_is)",
                .start = {.cell_size = 0.01, .strength = 10, .sand = 200},
-               .painted = {plants_field}},
+               .painted = {plants_field},
+               .moves_grains = true},
       .parameters = grain_binding(),
       .fields = grain_fields(),
       .working_bytes = 64,  // the frozen ground, counts and sums of GrainBed, shelter behind plants

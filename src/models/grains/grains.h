@@ -42,9 +42,6 @@ class GrainModel : public Model {
   void keep_paths(int count) override { paths_wanted_ = count; }
   std::vector<GrainPath> paths() const override { return paths_; }
 
-  /// What the flights of the last step did; for `bench` and tests.
-  const FlightCounters& flights() const { return flights_; }
-
  private:
   std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const forcing::WindFrame& frame,
                                                     double bearing);

@@ -177,6 +177,16 @@ StepReport SnowSintering::step(Terrain& terrain, const Forcing& wind, StepKey ke
   return drift_snow(executor, terrain, {law_, radii, shadow_fall(cell_size), shows_strength}, wind, key);
 }
 
+std::vector<BenchScene> bench_scenes() {
+  const std::vector<std::string> waves{"grid.cell_size=0.1", "scene.sand=40", "wind.strength=12"};
+  return {{.name = "waves", .steps = 120, .settings = waves},
+          {.name = "oblique wind", .steps = 120, .oblique = true, .settings = waves},
+          {.name = "sastrugi",
+           .steps = 160,
+           .settings = {"grid.cell_size=0.05", "scene.sand=120", "parameters.slab_height=0.0025",
+                        "parameters.time_step=30", "parameters.start_age=60", "wind.strength=22"}}};
+}
+
 }  // namespace
 
 ModelType snow_sintering() {
@@ -192,7 +202,8 @@ ModelType snow_sintering() {
                .strength_label = "wind at 10 m, m/s",
                .material = Material::snow,
                .start = {.cell_size = 0.1, .strength = 11, .sand = 6},
-               .channels = {"temperature", "snowfall"}},
+               .channels = {"temperature", "snowfall"},
+               .bench_scenes = bench_scenes()},
       .parameters = sintering_binding(),
       .fields = snow_sintering_fields(),
       .working_bytes = 29,  // planes and polls of SnowOnProcessor
