@@ -34,8 +34,8 @@ struct ModelInfo {
   std::string key = {};                ///< name in configs and on the command line
   std::string title = {};              ///< "Momiji et al. 2000"
   std::string citation = {};           ///< the publication
-  std::string makes = {};              ///< what it makes
-  std::string leaves_out = {};         ///< what it does not model
+  std::string produces = {};           ///< what it makes
+  std::string limitations = {};        ///< what it does not model
   std::string step = {};               ///< what one time step means
   std::string strength_label = {};     ///< what the wind's strength is: "hop length, cells"
   Material material = Material::sand;  ///< what it moves
@@ -58,14 +58,14 @@ struct StepScale {
 };
 
 /// What the beginning of a run may need besides the terrain.
-struct Beginning {
+struct InitContext {
   std::uint64_t seed = 0;
   forcing::Forcing weather = {};         ///< of the first step
   const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
 };
 
 /// A number that a model tells about itself, besides what every StepReport says.
-struct Reading {
+struct Diagnostic {
   std::string key;    ///< name in `--stats`
   std::string label;  ///< name for people
   std::string unit;
@@ -78,7 +78,7 @@ class Model {
   virtual ~Model() = default;
 
   /// Called before `begin`. What the argument points to lives until `begin` is over.
-  virtual void prepare(const Beginning&) {}
+  virtual void prepare(const InitContext&) {}
 
   /// Height of one quantum in m.
   virtual double quantum() const = 0;
@@ -93,7 +93,7 @@ class Model {
   virtual double shadow_fall(double cell_size) const = 0;
 
   /// Numbers of the model's own, of the last step unless their label says otherwise.
-  virtual std::vector<Reading> readings() const { return {}; }
+  virtual std::vector<Diagnostic> diagnostics() const { return {}; }
   /// From the next step on keeps the trajectories of about `count` of its grains; a model that moves no single grains
   /// has none.
   virtual void keep_paths(int count) { static_cast<void>(count); }

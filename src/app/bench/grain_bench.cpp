@@ -22,8 +22,8 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 
 /// A number that the model tells of its last step; 0 where it does not.
 double read(const models::Model& model, const std::string& key) {
-  for (const models::Reading& reading : model.readings()) {
-    if (reading.key == key) return reading.value;
+  for (const models::Diagnostic& diagnostic : model.diagnostics()) {
+    if (diagnostic.key == key) return diagnostic.value;
   }
   return 0;
 }

@@ -68,7 +68,7 @@ RunStatistics MeasuredRun::statistics() {
   numbers.crest_spacing = analysis::crest_spacing(surface, simulation_.last_wind().mean_bearing());
   numbers.migration = migration_.velocity().value_or(analysis::Shift{});
   numbers.totals = simulation_.totals();
-  numbers.readings = simulation_.model().readings();
+  numbers.diagnostics = simulation_.model().diagnostics();
   const auto cell_steps = static_cast<double>(terrain.extent().cells()) * static_cast<double>(simulation_.step_count());
   numbers.flux = cell_steps > 0 ? numbers.totals.travel / cell_steps : 0;
   numbers.ledger = terrain.ledger();
@@ -158,8 +158,8 @@ std::string statistics_json(Simulation& simulation, const RunStatistics& numbers
   NumbersWithUnits all;
   add_run(all, simulation);
   add_numbers(all, numbers);
-  for (const models::Reading& reading : numbers.readings) {
-    all.add(reading.key, reading.unit.empty() ? "1" : reading.unit.c_str(), reading.value);
+  for (const models::Diagnostic& diagnostic : numbers.diagnostics) {
+    all.add(diagnostic.key, diagnostic.unit.empty() ? "1" : diagnostic.unit.c_str(), diagnostic.value);
   }
   if (simulation.finished()) all.add("why_finished", "", simulation.totals().why_finished);
   nlohmann::ordered_json object = all.finish();

@@ -139,7 +139,7 @@ StepReport GrainModel::step(Terrain& terrain, const Forcing& wind, StepKey key, 
   return report.step;
 }
 
-std::vector<Reading> GrainModel::readings() const {
+std::vector<Diagnostic> GrainModel::diagnostics() const {
   const double impacts = flights_.impacts > 0 ? static_cast<double>(flights_.impacts) : 1;
   const double lifts = lifts_ > 0 ? static_cast<double>(lifts_) : 1;
   return {
@@ -186,8 +186,9 @@ ModelType grains() {
                    "evolution: a method based on the physics of blown sand. Journal of Computer Science and "
                    "Technology 27, 135-146; after the accounts of Szabo (2019, ch. 3) and Cimbura (2022, sec. 4.3 "
                    "and 5.11). Wind in the saltation layer after Bagnold (1941), splash ours.",
-               .makes = "ripples of sand and snow, about a decimetre long, on flat ground, over dunes, round plants",
-               .leaves_out = "turbulence, speed-up of the wind over a hill, sorting of grains by size, time in seconds",
+               .produces = "ripples of sand and snow, about a decimetre long, on flat ground, over dunes, round plants",
+               .limitations =
+                   "turbulence, speed-up of the wind over a hill, sorting of grains by size, time in seconds",
                .step = "one step polls as many grains as the grid has cells",
                .strength_label = "wind speed at wind_height, m/s (or friction velocity, m/s: see strength_is)",
                .start = {.cell_size = 0.01, .strength = 10, .sand = 200},

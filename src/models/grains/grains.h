@@ -38,7 +38,7 @@ class GrainModel : public Model {
   void begin(Terrain& terrain) override;
   StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) override;
   double shadow_fall(double cell_size) const override;
-  std::vector<Reading> readings() const override;
+  std::vector<Diagnostic> diagnostics() const override;
   void keep_paths(int count) override { paths_wanted_ = count; }
   std::vector<GrainPath> paths() const override { return paths_; }
 

@@ -32,7 +32,7 @@ std::vector<FieldInfo> snow_sintering_fields() {
   return {{"loose", "loose snow", "slabs", 0, 100, "cividis", "Slabs on top that have not bonded."},
           {"bonded", "bonded snow", "slabs", 0, 1000, "cividis", "Slabs that have bonded."},
           {"age", "age of bonded snow", "h", 0, 240, "batlow", "Mean time since the bonded snow came to rest."},
-          {"landed", "last landing", "h", -240, 240, "batlow", "When a slab last came down here, since the beginning."},
+          {"landed", "last landing", "h", -240, 240, "batlow", "When a slab last came down here, since the context."},
           {"strength", "strength", "", 0, 3, "batlow",
            "Of the uppermost bonded snow; 1 is the mean. Written every 16 steps."}};
 }
@@ -76,9 +76,9 @@ class SnowSintering : public Model {
   double shadow_fall(double cell_size) const override {
     return erg::forcing::shadow_fall(values_.shadow_angle, cell_size, quantum());
   }
-  void prepare(const Beginning& beginning) override {
-    seed_ = beginning.seed;
-    first_temperature_ = beginning.weather.temperature;
+  void prepare(const InitContext& context) override {
+    seed_ = context.seed;
+    first_temperature_ = context.weather.temperature;
   }
   void begin(Terrain& terrain) override;
   StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override;
@@ -196,8 +196,8 @@ ModelType snow_sintering() {
                .citation =
                    "our own, on Filhol & Sturm (2015), JGR Earth Surface 120, 1645-1669, and Li & Pomeroy (1997), "
                    "JGR Atmospheres 102, 21955-21967",
-               .makes = "snow waves, snow barchans, sastrugi, flat crust",
-               .leaves_out = "melting, air flow, ripples of single grains, clouds of suspended snow",
+               .produces = "snow waves, snow barchans, sastrugi, flat crust",
+               .limitations = "melting, air flow, ripples of single grains, clouds of suspended snow",
                .step = "time_step seconds",
                .strength_label = "wind at 10 m, m/s",
                .material = Material::snow,
