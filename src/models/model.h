@@ -10,13 +10,13 @@
 
 #include "compute/executor.h"
 #include "core/binding.h"
-#include "core/grain_path.h"
 #include "core/material.h"
 #include "core/parameters.h"
 #include "core/random.h"
 #include "core/terrain.h"
+#include "core/trajectory.h"
 #include "forcing/wind_schedule.h"
-#include "models/model_start.h"
+#include "models/model_defaults.h"
 #include "models/step_report.h"
 
 namespace erg::models {
@@ -39,12 +39,12 @@ struct ModelInfo {
   std::string step = {};               ///< what one time step means
   std::string strength_label = {};     ///< what the wind's strength is: "hop length, cells"
   Material material = Material::sand;  ///< what it moves
-  ModelStart start = {};               ///< the defaults of a config of this model
+  ModelDefaults start = {};            ///< the defaults of a config of this model
   /// Keys of the channels that it uses besides the wind (wind/channels.h). Others are not shown, and refused in a
   /// config.
   std::vector<std::string> channels = {};
   std::vector<std::string> painted = {};  ///< keys of the fields that people may paint
-  bool moves_grains = false;              ///< of which trajectories can be kept (Model::keep_paths)
+  bool moves_grains = false;              ///< of which trajectories can be kept (Model::keep_trajectories)
   /// The first is the plain one, which the others are set beside.
   std::vector<BenchScene> bench_scenes = {{.name = "dunes", .steps = 20},
                                           {.name = "oblique wind", .steps = 20, .oblique = true}};
@@ -96,9 +96,9 @@ class Model {
   virtual std::vector<Diagnostic> diagnostics() const { return {}; }
   /// From the next step on keeps the trajectories of about `count` of its grains; a model that moves no single grains
   /// has none.
-  virtual void keep_paths(int count) { static_cast<void>(count); }
+  virtual void keep_trajectories(int count) { static_cast<void>(count); }
   /// The ways kept in the last step. On a torus a way that crosses an edge goes on as another, so that no line jumps.
-  virtual std::vector<GrainPath> paths() const { return {}; }
+  virtual std::vector<Trajectory> trajectories() const { return {}; }
 };
 
 /// A kind of model: what the catalogue lists.

@@ -36,8 +36,9 @@ class Simulation {
   const Config& config() const { return config_; }
   const models::ModelType& model_type() const { return *type_; }
   const models::Model& model() const { return *model_; }
-  /// Keeps the trajectories of about so many grains of every step to come (Model::keep_paths), under other configs too.
-  void keep_paths(int count);
+  /// Keeps the trajectories of about so many grains of every step to come (Model::keep_trajectories), under other
+  /// configs too.
+  void keep_trajectories(int count);
   /// From the next step on counts how many quanta are lifted from each cell, for `flux`; false: no longer. Steps take
   /// somewhat longer; what they do does not change.
   void watch_flux(bool wanted);
@@ -83,7 +84,7 @@ class Simulation {
   std::unique_ptr<compute::Executor> executor_;
   RunState state_;
   std::unique_ptr<FluxWatch> flux_;  // the executor counts there
-  int paths_wanted_ = 0;
+  int trajectories_wanted_ = 0;
   bool edited_ = false;  // since the last step or book_edit
 };
 

@@ -45,7 +45,7 @@ TextTable field_table(const std::vector<FieldInfo>& fields) {
 }
 
 /// With what a config begins that says nothing but its model.
-std::string start_text(const models::ModelStart& start) {
+std::string start_text(const models::ModelDefaults& start) {
   const std::string swing = start.spread > 0 ? " that swings by " + value_text(start.spread) + "°" : "";
   return "cells of " + value_text(start.cell_size) + " m, a wind of strength " + value_text(start.strength) + swing +
          ", " + value_text(start.sand) + " slabs a cell";

@@ -117,7 +117,7 @@ ExitCode render(const RenderRequest& request) {
   check_picture_name(request);
   check_output("--out", request.out);
   Simulation simulation = start(request);
-  simulation.keep_paths(request.paths);
+  simulation.keep_trajectories(request.paths);
   const std::unique_ptr<render::GlContext> context = render::make_offscreen_context(request.picture.context);
   render::Renderer renderer;
   check_picture(request, simulation);

@@ -132,8 +132,8 @@ void SnowSintering::prepare_law(const Terrain& terrain) {
   law_.rest_ground = static_cast<float>(values_.rest_ground);
   const double saltation = 0.68 * values_.air_density / earth_gravity / loose_density;
   law_.lift_scale = static_cast<float>(saltation * values_.time_step * values_.rest_loose / (quantum() * cell_size));
-  law_.standing = standing_step(values_.repose_angle, cell_size, quantum());
-  law_.wall = values_.obstacles ? law_.standing : std::numeric_limits<int>::max();
+  law_.critical_step = critical_step(values_.repose_angle, cell_size, quantum());
+  law_.wall = values_.obstacles ? law_.critical_step : std::numeric_limits<int>::max();
   law_.abrasion = static_cast<float>(values_.abrasion);
   law_.entrainment = static_cast<float>(values_.entrainment * values_.time_step / seconds_per_hour);
   law_.sine = static_cast<float>(std::sin(radians(values_.impact_angle)));
