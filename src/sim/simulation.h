@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "compute/executor.h"
+#include "core/share_work.h"
 #include "core/terrain.h"
 #include "models/model.h"
 #include "sim/config.h"
@@ -51,6 +52,10 @@ class Simulation {
   /// The wind of the last step done (of the first, before it).
   forcing::Forcing last_wind() const;
   compute::Executor& executor() { return *executor_; }
+  /// Shares work out to its threads, between steps; as long as the executor is this one.
+  ShareWork share_work() {
+    return [this](std::int64_t items, const PartOfWork& part) { executor_->parallel_for(items, part); };
+  }
   const models::StepReport& totals() const { return state_.totals; }
   bool finished() const { return state_.totals.finished; }
 
