@@ -3,7 +3,7 @@
 
 extern "C" {
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(ERG_SANITIZE_ADDRESS)
 
 const char* __asan_default_options() { return "detect_stack_use_after_return=1:detect_leaks=1"; }
 const char* __lsan_default_options() { return "print_suppressions=0"; }
@@ -19,7 +19,7 @@ const char* __lsan_default_suppressions() { return "leak:swrast_dri.so\nleak:lib
 /// could be named above.
 int dlclose(void*) { return 0; }
 
-#elif defined(__SANITIZE_THREAD__)
+#elif defined(ERG_SANITIZE_THREAD)
 
 const char* __tsan_default_options() { return "halt_on_error=1:second_deadlock_stack=1"; }
 
