@@ -100,8 +100,8 @@ void GuiRenderer::upload_fonts(int version) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
   font_ = make_texture(width, height, pixels);
-  // The texture has it. What it was made from, a quarter as large, stays for another renderer: the atlas would be packed
-  // anew without the fonts, and the letters lie elsewhere in it.
+  // The texture has it. What it was made from, a quarter as large, stays for another renderer: the atlas would be
+  // packed anew without the fonts, and the letters lie elsewhere in it.
   ImGui::MemFree(atlas.TexPixelsRGBA32);
   atlas.TexPixelsRGBA32 = nullptr;
   font_version_ = version;
