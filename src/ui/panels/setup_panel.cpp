@@ -121,13 +121,13 @@ void SetupPanel::draw_model(Setup& setup) {
     for (const ModelType* model : models) {
       if (ImGui::Selectable(model->info.title.c_str(), model == &setup.model())) setup.choose_model(model->info.key);
       mark("model=" + model->info.title);
-      tooltip("Makes " + model->info.makes + ".");
+      tooltip("Makes " + model->info.produces + ".");
     }
     ImGui::EndCombo();
   }
   const models::ModelInfo& info = setup.model().info;
-  explain("Makes " + info.makes + ".");
-  explain("Leaves out: " + info.leaves_out + ".");
+  explain("Makes " + info.produces + ".");
+  explain("Leaves out: " + info.limitations + ".");
 }
 
 void SetupPanel::draw_seed(Setup& setup) {
