@@ -103,6 +103,19 @@ TEST(SubsetRules, LetInAsManySlabsAsTheRealNumberSays) {
   }
 }
 
+TEST(SubsetRules, TabulateHopsFromGroundOfEveryHeight) {
+  for (const double linear : {0.4, 1e-7, -0.01, 0.0}) {
+    for (const double quadratic : {0.0, 0.002, -0.001}) {
+      const HopCurve hop{5, linear, quadratic, 0.9, 0.3, most_hop_rows(5, 0.9, 256)};
+      const slab::HopTable table(hop, 30.5);
+      for (std::size_t height = 0; height < slab::hop_heights; ++height) {
+        ASSERT_EQ(table.rows_256(height), hop_rows_256(hop, static_cast<double>(height) - 30.5))
+            << height << ", " << linear << ", " << quadratic;
+      }
+    }
+  }
+}
+
 /// A grid as kernels see it.
 slab::Plan plan_of(i32 width, i32 rows, i32 drift, i32 phase) {
   slab::Plan plan;
@@ -115,7 +128,9 @@ slab::Plan plan_of(i32 width, i32 rows, i32 drift, i32 phase) {
 }
 
 TEST(SubsetLines, WalkFromRowToRowWhereTheyAreFoundOneByOne) {
-  for (const auto& [width, rows] : {std::pair{1, 1}, {5, 1}, {1, 6}, {7, 5}, {4, 13}}) {
+  for (const Extent grid : {Extent{1, 1}, {5, 1}, {1, 6}, {7, 5}, {4, 13}}) {
+    const i32 width = grid.nx;
+    const i32 rows = grid.ny;
     for (i32 drift = 0; drift <= rows; ++drift) {
       for (i32 phase = 0; phase < rows; ++phase) {
         slab::Plan plan = plan_of(width, rows, drift, phase);
@@ -139,7 +154,9 @@ TEST(SubsetLines, WalkFromRowToRowWhereTheyAreFoundOneByOne) {
 }
 
 TEST(SubsetLines, EnterAndLeaveAnOpenGridWhereTheyMoveOverItsSide) {
-  for (const auto& [width, rows] : {std::pair{1, 4}, {3, 9}, {9, 4}}) {
+  for (const Extent grid : {Extent{1, 4}, {3, 9}, {9, 4}}) {
+    const i32 width = grid.nx;
+    const i32 rows = grid.ny;
     for (i32 drift = 0; drift <= rows; ++drift) {
       for (i32 phase = 0; phase < rows; ++phase) {
         slab::Plan plan = plan_of(width, rows, drift, phase);

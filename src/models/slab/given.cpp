@@ -10,23 +10,35 @@ namespace {
 
 Wide wide_of(std::uint64_t word) { return wide(static_cast<u32>(word), static_cast<u32>(word >> 32)); }
 
+/// The first number below `end` of which `reached` holds, as it does of all that follow; `end` where there is none.
+template <typename Reached>
+u32 first_reached(u32 end, const Reached& reached) {
+  u32 first = 0;
+  while (first < end) {
+    const u32 middle = first + (end - first) / 2;
+    if (reached(middle)) {
+      end = middle;
+    } else {
+      first = middle + 1;
+    }
+  }
+  return first;
+}
+
 i32 kept_fall(u32 fall) { return static_cast<i32>(std::min<u32>(fall, steepest_fall)); }
 
 }  // namespace
 
 Inflow whole_inflow(double inflow) {
   const auto slabs = [&](u32 random) { return static_cast<u32>(inflow + random * (1.0 / 65536)); };
-  Inflow found{.whole = slabs(0), .from = 0};
-  u32 end = 0x10000;
-  while (found.from < end) {
-    const u32 middle = (found.from + end) / 2;
-    if (slabs(middle) > found.whole) {
-      end = middle;
-    } else {
-      found.from = middle + 1;
-    }
-  }
-  return found;
+  const u32 whole = slabs(0);
+  return {whole, first_reached(0x10000, [&](u32 random) { return slabs(random) > whole; })};
+}
+
+HopTable::HopTable(const HopCurve& hop, double reference) : hop_(hop), reference_(reference) {
+  if (hop.linear < 0 || hop.quadratic < 0) return;  // a hop may grow shorter again
+  longest_ = hop_rows_256(hop, 1e9);
+  longest_from_ = first_reached(hop_heights, [&](u32 height) { return computed(height) == longest_; });
 }
 
 void give_grid(const forcing::WindFrame& frame, bool open, Given& given) {

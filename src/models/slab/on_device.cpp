@@ -193,9 +193,8 @@ void SlabOnDevice::prepare_hops(slab::Plan& plan, const SlabLaw& law, double str
   if (!law.hop.depends_on_height()) return;
   const double mean = static_cast<double>(bedrock_total_ + mobile_total_) / static_cast<double>(cells()) - base_;
   const double deviation = law.hop.deviation_weight != 0 ? mean_deviation(plan, mean) : 0;
-  const double reference = mean - law.hop.deviation_weight * deviation;
-  backend_.send_each(hop_table_,
-                     [&](std::size_t height) { return hop_rows_256(hop, static_cast<double>(height) - reference); });
+  const slab::HopTable table(hop, mean - law.hop.deviation_weight * deviation);
+  backend_.send_each(hop_table_, [&](std::size_t height) { return table.rows_256(height); });
 }
 
 slab::Plan SlabOnDevice::step_plan(const SlabLaw& law, double strength, StepKey key) {

@@ -3,7 +3,10 @@
 // CUDA and by compilers of shaders alike (compute/subset.h).
 #pragma once
 
+#include <cstdint>
+
 #include "compute/subset.h"
+#include "core/terrain.h"
 #include "kernels/fixed_point.h"
 #include "kernels/step_counters.h"
 #include "models/slab/plane_layout.h"
@@ -23,6 +26,8 @@ struct Plan {
 #include "models/slab/slides.k"
 };
 
+// The largest product in kernels, of a line that has crossed an open grid of the largest side (row_of_offset).
+static_assert(std::int64_t{2} * largest_side * largest_side <= INT32_MAX);
 // What the kernels' numbers have to agree with.
 static_assert(1 << kernels::fixed_point_bits == 256 && steepest_fall > int{height_mask} << kernels::fixed_point_bits);
 static_assert(tally_slots == compute::counter_slots && tallies == kernels::step_counters);
