@@ -59,7 +59,7 @@ class WaterTable : public SlabModel {
     return models::move_slabs(executor, terrain, law, wind, key);
   }
 
-  std::vector<models::Reading> readings() const override {
+  std::vector<models::Diagnostic> diagnostics() const override {
     const CoverField& cover = *cover_;
     const auto wet = std::count(cover.cells().begin(), cover.cells().end(), cover_of(1));
     return {{"wet_share", "wet ground", "", cover.empty() ? 0 : static_cast<double>(wet) / cover.size()}};
@@ -102,8 +102,8 @@ models::ModelType water_table() {
                .citation =
                    "Werner 1995 over a water table as in Stokes, W. L. (1968). Multiple parallel-truncation bedding "
                    "planes. Journal of Sedimentary Petrology 38, 510-515.",
-               .makes = "dunes between level wet flats",
-               .leaves_out = "a table that rises under dunes, rain, evaporation, salt",
+               .produces = "dunes between level wet flats",
+               .limitations = "a table that rises under dunes, rain, evaporation, salt",
                .step = models::slab_step,
                .strength_label = models::slab_strength},
       .parameters = water_table_binding(),

@@ -129,8 +129,8 @@ models::ModelType showers() {
                    "Werner 1995 on ground that dries as in Wiggs, G. F. S., Baird, A. J. & Atherton, R. J. (2004). "
                    "The dynamic effects of moisture on the entrainment and transport of sand by wind. "
                    "Geomorphology 59, 13-30.",
-               .makes = "dunes with patches that stand still for a while",
-               .leaves_out = "how deep rain soaks in, run-off, the sun, salt",
+               .produces = "dunes with patches that stand still for a while",
+               .limitations = "how deep rain soaks in, run-off, the sun, salt",
                .step = models::slab_step,
                .strength_label = models::slab_strength},
       .parameters = showers_binding(),

@@ -86,6 +86,15 @@ ERG_ON_DEVICE T atomic_exchange(T* place, T value) {
 #endif
 }
 
+template <typename T>
+ERG_ON_DEVICE T atomic_read(T* place) {
+#if defined(__CUDA_ARCH__)
+  return *static_cast<volatile T*>(place);
+#else
+  return std::atomic_ref<T>(*place).load(std::memory_order_relaxed);
+#endif
+}
+
 /// Raises a bound that many threads share. Most find it high enough already and only look.
 ERG_ON_DEVICE void raise(std::uint32_t* bound, std::uint32_t value) {
 #if defined(__CUDA_ARCH__)

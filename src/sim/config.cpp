@@ -13,7 +13,7 @@ namespace erg::sim {
 
 using forcing::WindInterval;
 using forcing::WindSchedule;
-using models::ModelStart;
+using models::ModelDefaults;
 using models::ModelType;
 
 namespace {
@@ -31,7 +31,7 @@ Parameters all_at_start(Parameters parameters) {
 
 }  // namespace
 
-Parameters grid_parameters(const ModelStart& start) {
+Parameters grid_parameters(const ModelDefaults& start) {
   return all_at_start({
       {.key = "nx",
        .label = "Cells east",
@@ -72,7 +72,7 @@ Parameters grid_parameters(const ModelStart& start) {
   });
 }
 
-Parameters scene_parameters(const ModelStart& start) {
+Parameters scene_parameters(const ModelDefaults& start) {
   return all_at_start({
       {.key = "kind",
        .label = "Scene",
@@ -212,7 +212,7 @@ Mistake not_asked_for(const std::string& key, const std::string& model_key) {
   return {"", quote(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
 }
 
-WindSchedule starting_wind(const ModelStart& start) {
+WindSchedule starting_wind(const ModelDefaults& start) {
   WindSchedule wind = WindSchedule::constant(WindInterval{}.bearing, start.strength);
   wind.intervals.front().spread = start.spread;
   return wind;
@@ -226,7 +226,7 @@ struct GroupDeclarations {
   Declarations scene;
 };
 
-const GroupDeclarations& group_declarations(const ModelStart& start) {
+const GroupDeclarations& group_declarations(const ModelDefaults& start) {
   static std::mutex one_at_a_time;
   static std::map<std::pair<double, double>, GroupDeclarations> made;
   const std::lock_guard<std::mutex> lock(one_at_a_time);

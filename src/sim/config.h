@@ -17,9 +17,9 @@ inline constexpr int config_version = 1;
 
 /// Declarations of the groups that are not a model's: their values stand under these keys in a config. Cell size and
 /// sand have the defaults of the model that the config is of.
-Parameters grid_parameters(const models::ModelStart& start = {});   ///< "grid": nx, ny, cell_size, boundary, inflow
-Parameters scene_parameters(const models::ModelStart& start = {});  ///< "scene": kind and what each kind needs
-Parameters run_parameters();                                        ///< "run": steps, seed, executor, threads, sweeps
+Parameters grid_parameters(const models::ModelDefaults& start = {});   ///< "grid": nx, ny, cell_size, boundary, inflow
+Parameters scene_parameters(const models::ModelDefaults& start = {});  ///< "scene": kind and what each kind needs
+Parameters run_parameters();  ///< "run": steps, seed, executor, threads, sweeps
 
 /// The values of the group "run", for what works with them step by step: their declarations say what they mean.
 struct RunValues {
@@ -32,7 +32,7 @@ struct RunValues {
 const Binding<RunValues>& run_binding();
 
 /// The wind that a config has where it says nothing: one season, with the model's strength and spread.
-forcing::WindSchedule starting_wind(const models::ModelStart& start);
+forcing::WindSchedule starting_wind(const models::ModelDefaults& start);
 
 /// One run, whole.
 struct Config {

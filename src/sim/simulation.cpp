@@ -95,9 +95,9 @@ StepReport Simulation::step() {
   return report;
 }
 
-void Simulation::keep_paths(int count) {
-  paths_wanted_ = count;
-  model_->keep_paths(count);
+void Simulation::keep_trajectories(int count) {
+  trajectories_wanted_ = count;
+  model_->keep_trajectories(count);
 }
 
 void Simulation::watch_flux(bool wanted) {
@@ -155,7 +155,7 @@ void Simulation::change(Config config) {
     if (flux_) executor_->count_lifts(&flux_->counts());
   }
   begin_model(nullptr);
-  model_->keep_paths(paths_wanted_);
+  model_->keep_trajectories(trajectories_wanted_);
   wake();
 }
 

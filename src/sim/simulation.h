@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "compute/executor.h"
+#include "core/share_work.h"
 #include "core/terrain.h"
 #include "models/model.h"
 #include "sim/config.h"
@@ -36,8 +37,9 @@ class Simulation {
   const Config& config() const { return config_; }
   const models::ModelType& model_type() const { return *type_; }
   const models::Model& model() const { return *model_; }
-  /// Keeps the trajectories of about so many grains of every step to come (Model::keep_paths), under other configs too.
-  void keep_paths(int count);
+  /// Keeps the trajectories of about so many grains of every step to come (Model::keep_trajectories), under other
+  /// configs too.
+  void keep_trajectories(int count);
   /// From the next step on counts how many quanta are lifted from each cell, for `flux`; false: no longer. Steps take
   /// somewhat longer; what they do does not change.
   void watch_flux(bool wanted);
@@ -50,6 +52,10 @@ class Simulation {
   /// The wind of the last step done (of the first, before it).
   forcing::Forcing last_wind() const;
   compute::Executor& executor() { return *executor_; }
+  /// Shares work out to its threads, between steps; as long as the executor is this one.
+  ShareWork share_work() {
+    return [this](std::int64_t items, const PartOfWork& part) { executor_->parallel_for(items, part); };
+  }
   const models::StepReport& totals() const { return state_.totals; }
   bool finished() const { return state_.totals.finished; }
 
@@ -83,7 +89,7 @@ class Simulation {
   std::unique_ptr<compute::Executor> executor_;
   RunState state_;
   std::unique_ptr<FluxWatch> flux_;  // the executor counts there
-  int paths_wanted_ = 0;
+  int trajectories_wanted_ = 0;
   bool edited_ = false;  // since the last step or book_edit
 };
 

@@ -252,7 +252,7 @@ TEST(FullDisk, AFolderThatCannotBeIsSaidBeforeTheRun) {
   }
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these take memory of their own
+#if !defined(ERG_SANITIZE_ADDRESS) && !defined(ERG_SANITIZE_THREAD)  // these take memory of their own
 
 constexpr rlim_t short_memory = rlim_t{700} << 20;
 

@@ -107,7 +107,7 @@ struct CaseEnd {
   Terrain terrain;
   models::StepReport report;
   Grid<std::int32_t> lifts;
-  std::vector<models::Reading> readings;
+  std::vector<models::Diagnostic> diagnostics;
 };
 
 inline CaseEnd run_on(compute::Executor& executor, const Case& scene) {
@@ -122,14 +122,14 @@ inline CaseEnd run_on(compute::Executor& executor, const Case& scene) {
   }
   executor.sync_to_host(ending.terrain);
   executor.count_lifts(nullptr);
-  ending.readings = model->readings();
+  ending.diagnostics = model->diagnostics();
   const auto lifts = ending.lifts.cells();
   EXPECT_EQ(std::accumulate(lifts.begin(), lifts.end(), std::int64_t{0}), ending.report.lifts) << scene.name;
   EXPECT_EQ(ending.terrain.total_mobile(), ending.terrain.ledger().expected()) << scene.name;
   return ending;
 }
 
-/// Terrain with its fields, ledger, lifts, reports and readings of a run on `executor` are those of a run on `cpu`.
+/// Terrain with its fields, ledger, lifts, reports and diagnostics of a run on `executor` are those of a run on `cpu`.
 inline void expect_same_as_threads(const Case& scene, compute::Executor& executor, const std::string& name = "cuda") {
   const CaseEnd theirs = run_on(*sim::make_executor(scene.options()), scene);
   const CaseEnd ours = run_on(executor, scene);
@@ -144,8 +144,9 @@ inline void expect_same_as_threads(const Case& scene, compute::Executor& executo
   EXPECT_EQ(ours.terrain.ledger(), theirs.terrain.ledger()) << scene.name;
   EXPECT_TRUE(ours.lifts == theirs.lifts) << scene.name;
   expect_same(ours.report, theirs.report, scene.name);
-  for (std::size_t k = 0; k < theirs.readings.size(); ++k) {
-    EXPECT_EQ(ours.readings[k].value, theirs.readings[k].value) << scene.name << ", " << theirs.readings[k].key;
+  for (std::size_t k = 0; k < theirs.diagnostics.size(); ++k) {
+    EXPECT_EQ(ours.diagnostics[k].value, theirs.diagnostics[k].value)
+        << scene.name << ", " << theirs.diagnostics[k].key;
   }
 }
 

@@ -148,8 +148,8 @@ TEST(CudaExecutor, TakesALargerTerrainWithCoverAfterASmallerOne) {
     }
     EXPECT_EQ(hashes[0], hashes[1]);
     const auto bytes = [](const auto& block) { return block.second; };
-    // Shadow and cover: a byte for each cell.
-    EXPECT_EQ(std::ranges::count(card->device_blocks, extent.cells(), bytes), 2);
+    // Two planes of ground, bed, the surface as shown and one on its way: a word for each cell.
+    EXPECT_EQ(std::ranges::count(card->device_blocks, extent.cells() * 4, bytes), 5);
   }
 }
 

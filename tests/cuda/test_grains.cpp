@@ -47,9 +47,9 @@ StoryEnd grain_story(Executor& executor) {
   model.begin(terrain);
   std::uint64_t ways = 0;
   const auto fly = [&](std::uint64_t step, double bearing) {
-    model.keep_paths(step == 1 ? 5 : 0);
+    model.keep_trajectories(step == 1 ? 5 : 0);
     model.step(terrain, {bearing, 9}, {world.seed, step}, executor);
-    for (const GrainPath& path : model.paths()) ways = mix64(ways ^ path.size());
+    for (const Trajectory& path : model.trajectories()) ways = mix64(ways ^ path.size());
     end.hear(executor);
   };
   fly(0, 270);

@@ -14,7 +14,6 @@
 namespace erg::test {
 
 using compute::Executor;
-using models::drift;
 using models::find_model;
 using models::SnowLayer;
 

@@ -72,7 +72,7 @@ struct GrainRun {
     return velocity.x * toward.x + velocity.y * toward.y;
   }
   double reading(const std::string& key) const {
-    for (const models::Reading& one : model.readings()) {
+    for (const models::Diagnostic& one : model.diagnostics()) {
       if (one.key == key) return one.value;
     }
     ADD_FAILURE() << "no reading " << key;

@@ -139,11 +139,11 @@ TEST(Exact, FullCoverHoldsEverything) {
 }
 
 TEST(Exact, StandingStepsOfPrintedAngles) {
-  EXPECT_EQ(standing_step(33.69, 1, 1.0 / 3), 2);  // tan = 2/3: exactly two slabs of a third
-  EXPECT_EQ(standing_step(30, 1, 1.0 / 3), 2);
-  EXPECT_EQ(standing_step(33.7, 1, 1.0 / 3), 3);
-  EXPECT_EQ(standing_step(30, 1, 0.1), 6);
-  EXPECT_EQ(standing_step(40, 1, 0.1), 9);
+  EXPECT_EQ(critical_step(33.69, 1, 1.0 / 3), 2);  // tan = 2/3: exactly two slabs of a third
+  EXPECT_EQ(critical_step(30, 1, 1.0 / 3), 2);
+  EXPECT_EQ(critical_step(33.7, 1, 1.0 / 3), 3);
+  EXPECT_EQ(critical_step(30, 1, 0.1), 6);
+  EXPECT_EQ(critical_step(40, 1, 0.1), 9);
   EXPECT_NEAR(forcing::shadow_fall(15, 1, 1.0 / 3), 0.804, 0.0005);
 }
 

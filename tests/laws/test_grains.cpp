@@ -127,13 +127,13 @@ TEST(Grains, ASteepHumpSlidesToRepose) {
   }
   run.terrain.open_ledger();
   run.steps(40, {270, 1});  // calm: only slides
-  const ReposeSteps standing = ReposeSteps::of_angle(33, 0.01, run.model.quantum());
+  const ReposeSteps critical = ReposeSteps::of_angle(33, 0.01, run.model.quantum());
   for (int y = 0; y < 60; ++y) {
     for (int x = 0; x < 60; ++x) {
-      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y)), standing.straight);
-      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x, y + 1)), standing.straight);
-      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y + 1)), standing.diagonal);
-      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y - 1)), standing.diagonal);
+      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y)), critical.straight);
+      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x, y + 1)), critical.straight);
+      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y + 1)), critical.diagonal);
+      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y - 1)), critical.diagonal);
     }
   }
   EXPECT_EQ(run.terrain.total_mobile(), run.terrain.ledger().expected());
@@ -301,11 +301,11 @@ TEST(Grains, LogNormalDiametersSpreadTheLeaps) {
 TEST(Grains, PathsDoNotJumpOverTheTorus) {
   for (const double bearing : {270.0, 200.0}) {
     GrainRun run({}, {48, 40});
-    run.model.keep_paths(30);
+    run.model.keep_trajectories(30);
     run.steps(1, {bearing, 13});
-    const std::vector<GrainPath> paths = run.model.paths();
-    EXPECT_GE(paths.size(), 30u);
-    for (const GrainPath& path : paths) {
+    const std::vector<Trajectory> trajectories = run.model.trajectories();
+    EXPECT_GE(trajectories.size(), 30u);
+    for (const Trajectory& path : trajectories) {
       ASSERT_GE(path.size(), 2u);
       for (std::size_t k = 1; k < path.size(); ++k) {
         EXPECT_LT(std::hypot(path[k][0] - path[k - 1][0], path[k][1] - path[k - 1][1]), 0.1);
@@ -322,7 +322,7 @@ TEST(Grains, PathsDoNotJumpOverTheTorus) {
 TEST(Grains, KeepingPathsChangesNothing) {
   GrainRun plain({}, {40, 40});
   GrainRun watched({}, {40, 40});
-  watched.model.keep_paths(10);
+  watched.model.keep_trajectories(10);
   plain.steps(3, {250, 12});
   watched.steps(3, {250, 12});
   EXPECT_EQ(state_hash(plain.terrain), state_hash(watched.terrain));
@@ -333,11 +333,11 @@ TEST(Grains, PathsAreKeptUnderAnotherConfigToo) {
   config.grid.set("nx", std::int64_t{32});
   config.grid.set("ny", std::int64_t{32});
   sim::Simulation run(config);
-  run.keep_paths(10);
+  run.keep_trajectories(10);
   config.parameters.set("splash", 0.5);
   run.change(config);
   run.step();
-  EXPECT_GE(run.model().paths().size(), 10u);
+  EXPECT_GE(run.model().trajectories().size(), 10u);
 }
 
 struct GrainRun {

@@ -77,7 +77,7 @@ RgbImage shoot(const Shot& shot) {
       forcing::shadow_field(terrain, 270, forcing::shadow_fall(15, terrain.cell_size(), terrain.quantum()));
   static const Field flux = flux_of(terrain);
   view.fields = {&shadow, &flux};
-  view.paths = {{{10, 60, 4}, {14, 61, 7}, {18, 62, 8}, {24, 63, 7}, {30, 64, 9}}};
+  view.trajectories = {{{10, 60, 4}, {14, 61, 7}, {18, 62, 8}, {24, 63, 7}, {30, 64, 9}}};
   Look look;
   shot.change(look);
   Renderer renderer;

@@ -16,7 +16,6 @@
 #include "core/number_text.h"
 #include "core/terrain.h"
 #include "forcing/bearing.h"
-#include "models/grains/grains.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "sim/make_executor.h"
@@ -74,11 +73,6 @@ std::string table_text(const std::vector<BenchRow>& rows, const std::string& exe
          " turns. Ratios are medians over the turns; of plain: to the same executor on the\nmodel's first scene.\n";
 }
 
-bool flies_grains(const ModelType& type) {
-  const auto made = type.make(ParameterValues(type.parameters));
-  return dynamic_cast<const models::GrainModel*>(made.get()) != nullptr;
-}
-
 /// Takes the models of single grains out of those to measure and returns them. When none is named, all are measured.
 std::vector<std::string> take_grain_models(BenchOptions& options) {
   std::vector<std::string> wanted = options.models;
@@ -88,7 +82,7 @@ std::vector<std::string> take_grain_models(BenchOptions& options) {
   options.models.clear();
   std::vector<std::string> grain_models;
   for (const std::string& key : wanted)
-    (flies_grains(models::find_model(key)) ? grain_models : options.models).push_back(key);
+    (models::find_model(key).info.moves_grains ? grain_models : options.models).push_back(key);
   return grain_models;
 }
 

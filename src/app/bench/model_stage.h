@@ -18,9 +18,8 @@ struct ModelScene {
   sim::RunState grown;
 };
 
-/// Grows the scenes of a model that does more than to hand over a law of slabs: plants and snow. The first is the plain
-/// one. Says on standard error what it is at.
-std::vector<ModelScene> grow_scenes(const std::string& model, const BenchOptions& options);
+/// Grows the scenes of a model (ModelInfo::bench_scenes). Says on standard error what it is at.
+std::vector<ModelScene> grow_scenes(const models::ModelType& model, const BenchOptions& options);
 
 /// A run that goes on from a scene on an executor; where nothing moves any more it begins anew.
 class ModelRun {

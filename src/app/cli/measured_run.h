@@ -21,7 +21,7 @@ struct RunStatistics {
   analysis::Shift migration;           ///< cells a step over the last part of the run; 0 for a flat surface
   double flux = 0;            ///< slabs per step that pass one cell of a line across the wind, mean since step 0
   models::StepReport totals;  ///< since step 0
-  std::vector<models::Reading> readings;  ///< the model's own
+  std::vector<models::Diagnostic> diagnostics;  ///< the model's own
   MassLedger ledger;
   std::int64_t mass_now = 0;    ///< slabs on the grid, counted
   std::uint64_t hash = 0;       ///< state_hash

@@ -105,7 +105,7 @@ RunView::RunView(sim::Simulation& simulation) {
     view_.fields.push_back(&flux_);
   }
   view_.wind = wind.mean_bearing();
-  view_.paths = simulation.model().paths();
+  view_.trajectories = simulation.model().trajectories();
   view_.material = simulation.model_type().info.material;
 }
 

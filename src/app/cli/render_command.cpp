@@ -18,7 +18,6 @@
 #include "io/config/config_file.h"
 #include "io/formats/jpeg.h"
 #include "io/formats/png.h"
-#include "models/grains/grains.h"
 #include "render/gl_context.h"
 
 namespace erg::app {
@@ -91,7 +90,7 @@ void check_picture(const RenderRequest& request, Simulation& simulation) {
   simulation.watch_flux(false);
   if (flux) check_steps(request, simulation, "--look flux", FluxWatch::steps_of_mean);
   if (request.paths == 0) return;
-  if (dynamic_cast<const models::GrainModel*>(&simulation.model()) == nullptr) {
+  if (!simulation.model_type().info.moves_grains) {
     throw InputError("--paths", "the model " + simulation.config().model + " moves no single grains", "leave it out");
   }
   check_steps(request, simulation, "--paths", 1);
@@ -118,7 +117,7 @@ ExitCode render(const RenderRequest& request) {
   check_picture_name(request);
   check_output("--out", request.out);
   Simulation simulation = start(request);
-  simulation.keep_paths(request.paths);
+  simulation.keep_trajectories(request.paths);
   const std::unique_ptr<render::GlContext> context = render::make_offscreen_context(request.picture.context);
   render::Renderer renderer;
   check_picture(request, simulation);

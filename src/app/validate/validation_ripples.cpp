@@ -30,7 +30,7 @@ Config ripple_config(const std::string& strength_is, double strength, double bea
 }
 
 double reading(const SeedRun& run, const std::string& key) {
-  for (const models::Reading& one : run.end.readings) {
+  for (const models::Diagnostic& one : run.end.diagnostics) {
     if (one.key == key) return one.value;
   }
   return 0;

@@ -12,7 +12,7 @@ namespace erg::io {
 
 using forcing::Channel;
 using forcing::channels;
-using models::ModelStart;
+using models::ModelDefaults;
 using models::ModelType;
 using sim::grid_parameters;
 using sim::scene_parameters;
@@ -163,15 +163,15 @@ void add_own_defaults(Json& properties, const std::string& group, const Paramete
 
 /// Which parameters a config may have, what of the weather, and where it starts follows from its model.
 Json model_rule(const ModelType& type) {
-  const ModelStart& start = type.info.start;
+  const ModelDefaults& start = type.info.start;
   Json properties;
   properties["parameters"]["$ref"] = "#/$defs/" + type.info.key;
   add_own_defaults(properties, "grid", grid_parameters(start), grid_parameters());
   add_own_defaults(properties, "scene", scene_parameters(start), scene_parameters());
-  if (start.strength != ModelStart{}.strength) {
+  if (start.strength != ModelDefaults{}.strength) {
     properties["wind"]["properties"]["strength"]["default"] = json_value(start.strength);
   }
-  if (start.spread != ModelStart{}.spread) {
+  if (start.spread != ModelDefaults{}.spread) {
     Json& wind = properties["wind"]["properties"];
     wind["spread"]["default"] = json_value(start.spread);
     wind["seasons"]["items"]["properties"]["spread"]["default"] = json_value(start.spread);

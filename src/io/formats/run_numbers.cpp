@@ -57,7 +57,7 @@ void RunMeter::look(Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
   // Where whole dunes stand shows on coarse ground too, which is cheaper.
   const Extent blocks{std::min(terrain.nx(), most_blocks), std::min(terrain.ny(), most_blocks)};
-  migration_.observe(simulation.step_count(), coarse_surface(terrain, Layer::surface, blocks));
+  migration_.observe(simulation.step_count(), coarse_surface(terrain, Layer::surface, blocks), simulation.share_work());
   last_look_ = simulation.step_count();
 }
 
@@ -76,7 +76,8 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
   const analysis::Morphometry shape = analysis::measure(terrain);
   const double fall = simulation.model().shadow_fall(terrain.cell_size());
   const analysis::CoarseSurface surface = coarse_surface(terrain, Layer::surface);
-  const analysis::SpectrumNumbers spectrum = analysis::measure_spectrum(surface);
+  const ShareWork share = simulation.share_work();
+  const analysis::SpectrumNumbers spectrum = analysis::measure_spectrum(surface, share);
   const models::StepReport& totals = simulation.totals();
   const auto cell_steps =
       static_cast<double>(terrain.extent().cells()) * static_cast<double>(simulation.step_count() - last_step_);
@@ -90,7 +91,7 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
                           shape.bare_fraction,
                           analysis::shadow_fraction(forcing::shadow_map(terrain, wind.bearing, fall)),
                           spectrum.wavelength,
-                          analysis::crest_spacing(surface, wind.mean_bearing()),
+                          analysis::crest_spacing(surface, wind.mean_bearing(), share),
                           spectrum.crest_bearing.value_or(unknown),
                           spectrum.alignment,
                           migration.x,

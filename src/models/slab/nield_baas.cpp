@@ -65,12 +65,12 @@ class NieldBaas : public SlabModel {
  public:
   explicit NieldBaas(const PlantedSlabs& values) : SlabModel(plant_family, values), values_(values) {}
 
-  void prepare(const Beginning& beginning) override { beginning_ = beginning; }
+  void prepare(const InitContext& context) override { context_ = context; }
 
   void begin(Terrain& terrain) override {
     SlabModel::begin(terrain);
-    plants_ = std::make_unique<Plants>(values_, beginning_.seed);
-    plants_->begin(terrain, std::exchange(beginning_.picture, nullptr));
+    plants_ = std::make_unique<Plants>(values_, context_.seed);
+    plants_->begin(terrain, std::exchange(context_.picture, nullptr));
   }
 
   void edited(Terrain& terrain) override { plants_->cover(terrain); }
@@ -91,7 +91,7 @@ class NieldBaas : public SlabModel {
 
  private:
   PlantedSlabs values_;
-  Beginning beginning_;
+  InitContext context_;
   std::unique_ptr<Plants> plants_;
 };
 
@@ -104,8 +104,8 @@ ModelType nield_baas() {
                .citation =
                    "Nield, J. M. & Baas, A. C. W. (2008). Investigating parabolic and nebkha dune formation using "
                    "a cellular automaton modelling approach. Earth Surface Processes and Landforms 33, 724-740.",
-               .makes = "nebkhas, parabolic dunes, blowouts, dunes around islands of plants",
-               .leaves_out = "water, seasons of growth, roots; wind speed-up over dunes",
+               .produces = "nebkhas, parabolic dunes, blowouts, dunes around islands of plants",
+               .limitations = "water, seasons of growth, roots; wind speed-up over dunes",
                .step = std::string(slab_step) + "; steps_per_year of them are a year",
                .strength_label = slab_strength,
                .painted = painted_plants()},

@@ -33,11 +33,14 @@ class SlabOnDevice : public SlabSolver {
   void turn(const forcing::WindFrame& frame);
   slab::Plan layout() const;
   slab::Plan step_plan(const SlabLaw& law, double strength, StepKey key);
+  void lay_bare_bed(bool wanted);
+  void drop_cover();
   void load_cover(const SlabLaw& law);
   void prepare_hops(slab::Plan& plan, const SlabLaw& law, double strength, StepKey key);
   double mean_deviation(const slab::Plan& plan, double mean);
-  void sweep(slab::Plan plan);
-  void slide(slab::Plan plan, const SlabLaw& law);
+  kernels::StepCounters read_counters();
+  void sweep(const slab::Plan& plan);
+  void slide(slab::Plan plan, const SlabLaw& law, const SubSweep& drawn);
 
   compute::Backend& backend_;
   int sweeps_;
@@ -48,26 +51,22 @@ class SlabOnDevice : public SlabSolver {
   std::int32_t base_ = 0;  // lowest bedrock
   std::int64_t bedrock_total_ = 0;
   std::int64_t mobile_total_ = 0;
-  std::uint64_t cover_stamp_ = 0;  // of the cover that is loaded; 0: none
+  bool covered_ = false;           // bed words hold a cover
+  std::uint64_t cover_stamp_ = 0;  // of the one that is loaded for this frame; 0: none
   std::shared_ptr<const Cover> kept_cover_;
   int current_ = 0;  // which of the two bounds belongs to before_
 
   compute::Buffer<std::uint32_t> before_;
   compute::Buffer<std::uint32_t> after_;
-  compute::Buffer<std::uint16_t> bedrock_;
-  compute::Buffer<std::uint8_t> cover_;
-  compute::Buffer<std::uint8_t> dark_;
+  compute::Buffer<std::uint32_t> bed_;  // empty where the bedrock is level and bare
   compute::Buffer<std::int32_t> staged_;
   compute::Buffer<std::int32_t> shown_;
   compute::Buffer<std::int32_t> lift_counts_;  // empty unless they are wanted
   compute::Buffer<std::uint32_t> bands_changed_;
-  compute::Buffer<std::int32_t> first_aloft_;
+  compute::Buffer<std::uint32_t> numbers_;
   compute::Buffer<slab::Aloft> aloft_;
-  compute::Buffer<std::int32_t> aloft_count_;
-  compute::Buffer<std::uint32_t> highest_;
   compute::Buffer<std::uint32_t> hop_table_;
   compute::Buffer<std::uint32_t> height_counts_;
-  compute::Buffer<compute::CounterWord> counters_;
 };
 
 }  // namespace erg::models

@@ -187,6 +187,12 @@ StepReport SlabModel::step(Terrain& terrain, const forcing::Forcing& wind, StepK
 ModelType slab_model_type(ModelInfo info, SlabFamily family) {
   info.step = slab_step;
   info.strength_label = slab_strength;
+  constexpr int growing_steps = 300;
+  const std::string steady = "wind.spread=0";
+  info.bench_scenes = {{.name = "dunes", .steps = growing_steps, .settings = {steady}},
+                       {.name = "swinging wind", .steps = growing_steps},
+                       {.name = "oblique wind", .steps = growing_steps, .oblique = true, .settings = {steady}},
+                       {.name = "obstacles", .steps = growing_steps, .settings = {steady, "scene.kind=rocks"}}};
   return ModelOf<SlabValues>{
       .info = std::move(info),
       .parameters = slab_binding(family),

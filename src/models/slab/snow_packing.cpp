@@ -114,7 +114,7 @@ class SnowPacking : public SlabModel {
  public:
   explicit SnowPacking(const PackingValues& values) : SlabModel(packing_family, values), values_(values) {}
 
-  void prepare(const Beginning& beginning) override { first_temperature_ = beginning.weather.temperature; }
+  void prepare(const InitContext& context) override { first_temperature_ = context.weather.temperature; }
 
   void begin(Terrain& terrain) override {
     SlabModel::begin(terrain);
@@ -172,17 +172,20 @@ class SnowPacking : public SlabModel {
 
 ModelType snow_packing() {
   return ModelOf<PackingValues>{
-      .info = {.key = "snow_packing",
-               .title = "Snow packing",
-               .citation =
-                   "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
-                   "printed it is 0 at -20 °C)",
-               .makes = "snow ripples that freeze day by day",
-               .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
-               .step = "a day; polls as many cells as the grid has",
-               .strength_label = slab_strength,
-               .material = Material::snow,
-               .channels = {"temperature"}},
+      .info =
+          {.key = "snow_packing",
+           .title = "Snow packing",
+           .citation = "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
+                       "printed it is 0 at -20 °C)",
+           .produces = "snow ripples that freeze day by day",
+           .limitations = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
+           .step = "a day; polls as many cells as the grid has",
+           .strength_label = slab_strength,
+           .material = Material::snow,
+           .channels = {"temperature"},
+           // Snow that freezes soon would leave little to measure.
+           .bench_scenes = {{.name = "dunes", .steps = 20, .settings = {"temperature=-60"}},
+                            {.name = "oblique wind", .steps = 20, .oblique = true, .settings = {"temperature=-60"}}}},
       .parameters = snow_packing_binding(),
       .fields = snow_packing_fields(),
       .working_bytes = 5,  // the cover, here and with the executor, with room

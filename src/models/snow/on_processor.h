@@ -39,6 +39,9 @@ class SnowOnProcessor : public SnowSolver {
 
  private:
   void begin(Terrain& terrain, const SnowStep& snow, const forcing::Forcing& wind, StepKey key);
+  void point_at_layers(Terrain& terrain);
+  void turn_into_wind(const SnowLaw& law);
+  void make_room(std::size_t cells);
   void for_rows(const std::function<void(int y)>& work);
 
   // Transport rates.

@@ -69,7 +69,7 @@ ERG_CELL_RULE std::size_t lowest_of_nine(const SnowGround& ground, int u, int v,
 /// A loose slab slides over the edge between two cells if it is steeper than what stands; false if none does.
 ERG_CELL_ACT bool slide_snow(const SnowGround& ground, std::size_t a, std::size_t b, const SnowLaw& law) {
   const std::int32_t difference = ground.surface(a) - ground.surface(b);
-  if (difference <= law.standing && -difference <= law.standing) return false;
+  if (difference <= law.critical_step && -difference <= law.critical_step) return false;
   const std::size_t from = difference > 0 ? a : b;
   const std::size_t to = difference > 0 ? b : a;
   if (ground.loose[from] <= 0) return false;

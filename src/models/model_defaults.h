@@ -7,7 +7,7 @@ namespace erg::models {
 inline constexpr double natural_spread = 10;
 
 /// Cells, wind and sand that a config has where it does not say: so that the model's forms come out of them.
-struct ModelStart {
+struct ModelDefaults {
   double cell_size = 1;  ///< m
   double strength = 5;   ///< of a constant wind
   double sand = 3;       ///< mean thickness of the mobile layer, slabs a cell
