@@ -95,7 +95,7 @@ TEST(Subset, WhatIsNoShaderIsSeen) {
   for (const std::string part :
        {"KERNEL(wrong) { u32* first = before; }", "KERNEL(wrong) { u64 word = 1; }", "KERNEL(wrong) { i32 cell = 0u; }",
         "KERNEL(wrong) { u32 first = before[0] ? 1u : 0u; }", "KERNEL(wrong) { i32 input = 0; }",
-        "BUFFER(3, bool, dark); KERNEL(wrong) {}"}) {
+        "BUFFER(3, u64, dark); KERNEL(wrong) {}"}) {
     EXPECT_NE(refusal(text + part + "\nvoid main() { wrong(); }\n"), "") << part;
   }
 }

@@ -32,7 +32,7 @@ std::vector<FieldInfo> snow_sintering_fields() {
   return {{"loose", "loose snow", "slabs", 0, 100, "cividis", "Slabs on top that have not bonded."},
           {"bonded", "bonded snow", "slabs", 0, 1000, "cividis", "Slabs that have bonded."},
           {"age", "age of bonded snow", "h", 0, 240, "batlow", "Mean time since the bonded snow came to rest."},
-          {"landed", "last landing", "h", -240, 240, "batlow", "When a slab last came down here, since the context."},
+          {"landed", "last landing", "h", -240, 240, "batlow", "When a slab last came down here, since the beginning."},
           {"strength", "strength", "", 0, 3, "batlow",
            "Of the uppermost bonded snow; 1 is the mean. Written every 16 steps."}};
 }
