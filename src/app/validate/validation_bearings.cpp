@@ -177,7 +177,7 @@ std::string one_barchan(const ValidationOptions& options) {
          "comes otherwise at each bearing: there a cone of 20 m and 60 cells' radius stands on an open grid of 288 x "
          "288 cells into which 3 slabs a step come for each cell across the wind, in the mean of " +
          (options.quick ? "1 seed" : "4 seeds") +
-         ". asymmetry: the share of sand that would have to move for its mirror image (2%, of Werner's 3%, is noise of "
+         ". asymmetry: the share of sand that would have to move for its mirror image (2%, of Werner's 4%, is noise of "
          "the seeds); horns: sand in the left one over that in the right one, of what lies further downwind than the "
          "foot of the slip face; mismatch: the share of sand that lies elsewhere than in the mean over the bearings; "
          "height: m; speed: cells a step; direction off: of the migration from the wind, degrees. Asked of the rows "
