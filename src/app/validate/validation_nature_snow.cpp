@@ -16,6 +16,7 @@ struct Mound {
   const char* name;
   int radius;          ///< cells of 0.1 m
   const char* height;  ///< m
+  bool stops;          ///< in nature
 };
 
 struct MoundSpeeds {
@@ -49,12 +50,13 @@ MoundSpeeds mound_run(const Mound& mound, bool bonds, int hours, int seed) {
 }  // namespace
 
 std::string sintering_slows_mounds(const ValidationOptions& options) {
-  const std::vector<Mound> mounds{{"2 m across, 0.2 m high", 10, "0.2"}, {"8 m across, 0.8 m high", 40, "0.8"}};
+  const std::vector<Mound> mounds{{"2 m across, 0.2 m high", 10, "0.2", false},
+                                  {"8 m across, 0.8 m high", 40, "0.8", true}};
   const int seeds = options.quick ? 1 : 3;
   const int hours = options.quick ? 6 : 12;
   const std::string last = "hour " + std::to_string(hours);
   TextTable table;
-  table.heading = {"mound", "snow", "kept where it lay", "hour 1", last, last + " over hour 1", "bonding slows it"};
+  table.heading = {"mound", "snow", "kept where it lay", "hour 1", last, last + " over hour 1", "as the law says"};
   const auto each = 2 * seeds;
   const int jobs = static_cast<int>(mounds.size()) * each;
   say_measuring("sintering", jobs);
@@ -77,16 +79,17 @@ std::string sintering_slows_mounds(const ValidationOptions& options) {
                             final.text(2), ratio.text(2), ""});
     }
     const double slower = ratios[1].mean() - ratios[0].mean();
-    table.rows.back().back() = slower > slow_down_bound ? "holds" : "**fails**";
+    table.rows.back().back() = (slower > slow_down_bound) == mound.stops ? "holds" : "**fails**";
   }
   return "### Bonding stops mounds of snow\n\nSintering overtakes what moves slowly: large dunes of snow stop, small "
          "ones go on (Sharma et al. 2019). Mounds at 9 m/s and -10 °C, mean over " +
          count_text(seeds, "seed") +
          "; *does not*: `bonding_time` 1000000 h. Way of the middle of what lies near the thickest line across the "
-         "wind, cells of 0.1 m in an hour. *holds* where the ratio of the last hour to the first is lower by more "
-         "than " +
+         "wind, cells of 0.1 m in an hour. *holds*: with bonding the ratio of the last hour to the first is lower than "
+         "without by more than " +
          fixed_text(slow_down_bound, 1) +
-         " with bonding than without. How much of a mound lies where it lay tells nothing: a large one keeps its snow "
+         " for the large mound, and is not for the small one. How much of a mound lies where it lay tells nothing: a "
+         "large one keeps its snow "
          "without bonding too, for want of time.\n\n" +
          table.markdown();
 }
