@@ -17,7 +17,7 @@ foreach(layer IN LISTS library_layers)
   set_target_properties(erg_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND library_targets erg_${name})
   install(DIRECTORY src/${layer}/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/erg/${layer}" FILES_MATCHING PATTERN "*.h"
-          PATTERN "*.def" PATTERN stub EXCLUDE)
+          PATTERN "*.def" PATTERN "*.k" PATTERN stub EXCLUDE)
 endforeach()
 set_target_properties(erg_options PROPERTIES EXPORT_NAME options)
 set_target_properties(erg_io PROPERTIES EXPORT_NAME io)

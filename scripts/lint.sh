@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the format of every source file (clang-format) and runs clang-tidy over src/: scripts/lint.sh [FILE...]
 # With files named, clang-tidy looks at those alone. Else it reads them together as the preset `clang` compiles them:
-# what takes its time are headers, and those that a lot shares it reads once. Files taken in by others (.h, .inl, and
+# what takes its time are headers, and those that a lot shares it reads once. Files taken in by others (.h, .inl, .k, and
 # the kernels of cuda_calls.cu, through their emulation) are looked at there, those of the engine for one instruction set.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -10,7 +10,7 @@ source scripts/lib/prepare.sh
 install_missing
 install_missing scripts/developer_packages.txt
 
-git ls-files '*.h' '*.cpp' '*.inl' '*.cu' | xargs clang-format --dry-run -Werror
+git ls-files '*.h' '*.cpp' '*.inl' '*.cu' '*.k' | xargs clang-format --dry-run -Werror
 
 cmake --preset clang >/dev/null
 files=("$@")

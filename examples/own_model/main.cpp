@@ -25,7 +25,7 @@ void grow(const std::string& table, const std::string& folder) {
   while (simulation.step_count() < steps) simulation.step();
 
   const erg::analysis::Morphometry shape = erg::analysis::measure(simulation.terrain());
-  const double wet = simulation.model().readings().front().value;
+  const double wet = simulation.model().diagnostics().front().value;
   std::printf("water table %s m: %.0f %% of the ground wet, lowest %.2f m, highest %.2f m\n", table.c_str(), 100 * wet,
               shape.lowest, shape.highest);
   erg::io::PictureOptions options;
@@ -43,7 +43,7 @@ int main(int argument_count, char** arguments) {
     return 2;
   }
   try {
-    erg::add_model(erg::water_table());
+    erg::models::add_model(erg::water_table());
     grow("0", arguments[1]);
     grow("0.7", arguments[1]);
   } catch (const std::exception& error) {

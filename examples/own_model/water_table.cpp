@@ -8,13 +8,19 @@
 #include "models/slab/slab_model.h"
 
 namespace erg {
+
+using compute::Executor;
+using models::cover_of;
+using models::CoverField;
+using models::SlabModel;
+
 namespace {
 
 // Werner's; but the ground's wetness is renewed once a step, so a cell gives no more than one slab in each.
-constexpr SlabFamily family{.polling = "nonrepeated"};
+constexpr models::SlabFamily family{.polling = "nonrepeated"};
 
 /// What its parameters say.
-struct WaterTableValues : SlabValues {
+struct WaterTableValues : models::SlabValues {
   double water_table = 0;  ///< m
   double fringe = 0;       ///< m
 };
@@ -38,22 +44,22 @@ Binding<WaterTableValues> water_table_binding() {
         .minimum = 0,
         .maximum = 10,
         .meaning = "Height above the water table over which the ground dries to the top."}}};
-  return Binding<WaterTableValues>(slab_binding(family), own);
+  return Binding<WaterTableValues>(models::slab_binding(family), own);
 }
 
 class WaterTable : public SlabModel {
  public:
   explicit WaterTable(const WaterTableValues& values) : SlabModel(family, values), values_(values) {}
 
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
+  models::StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, Executor& executor) override {
     executor.sync_to_host(terrain);
     wet_the_ground(terrain, executor);
-    SlabLaw law = SlabModel::law(terrain);
+    models::SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover_;
-    return move_slabs(executor, terrain, law, wind, key);
+    return models::move_slabs(executor, terrain, law, wind, key);
   }
 
-  std::vector<Reading> readings() const override {
+  std::vector<models::Diagnostic> diagnostics() const override {
     const CoverField& cover = *cover_;
     const auto wet = std::count(cover.cells().begin(), cover.cells().end(), cover_of(1));
     return {{"wet_share", "wet ground", "", cover.empty() ? 0 : static_cast<double>(wet) / cover.size()}};
@@ -75,11 +81,11 @@ class WaterTable : public SlabModel {
   }
 
   WaterTableValues values_;
-  Cover cover_;
+  models::Cover cover_;
 };
 
 std::vector<std::string> explain(const WaterTableValues& values, double cell_size) {
-  std::vector<std::string> lines = explain_slabs(values, cell_size);
+  std::vector<std::string> lines = models::explain_slabs(values, cell_size);
   char line[80];
   std::snprintf(line, sizeof line, "water table %g m: %.1f slabs above level 0", values.water_table,
                 values.water_table / values.slab_height);
@@ -89,22 +95,22 @@ std::vector<std::string> explain(const WaterTableValues& values, double cell_siz
 
 }  // namespace
 
-ModelType water_table() {
-  return ModelOf<WaterTableValues>{
+models::ModelType water_table() {
+  return models::ModelOf<WaterTableValues>{
       .info = {.key = "water_table",
                .title = "Water table",
                .citation =
                    "Werner 1995 over a water table as in Stokes, W. L. (1968). Multiple parallel-truncation bedding "
                    "planes. Journal of Sedimentary Petrology 38, 510-515.",
-               .makes = "dunes between level wet flats",
-               .leaves_out = "a table that rises under dunes, rain, evaporation, salt",
-               .step = slab_step,
-               .strength_label = slab_strength},
+               .produces = "dunes between level wet flats",
+               .limitations = "a table that rises under dunes, rain, evaporation, salt",
+               .step = models::slab_step,
+               .strength_label = models::slab_strength},
       .parameters = water_table_binding(),
       .working_bytes = 2,  // bytes a cell: the cover, here and with the executor
       .make = [](const WaterTableValues& values) { return std::make_unique<WaterTable>(values); },
       .explain = explain,
-      .step_scale = slab_step_scale};
+      .step_scale = models::slab_step_scale};
 }
 
 }  // namespace erg

@@ -10,6 +10,6 @@
 namespace erg {
 
 /// The catalogue entry.
-ModelType water_table();
+models::ModelType water_table();
 
 }  // namespace erg

@@ -20,7 +20,7 @@ struct Plan {
 };
 
 struct Kernels {
-#define ERG_KERNEL(family, name) static const KernelOf<Plan> name;
+#define ERG_KERNEL(family, name) static const compute::KernelOf<Plan> name;
 #include "rain_kernels.def"
 #undef ERG_KERNEL
 };
@@ -32,7 +32,7 @@ ERG_ON_DEVICE std::int32_t distance(std::int32_t a, std::int32_t b, std::int32_t
 }
 
 /// Dries the ground, and wets it where the shower falls.
-ERG_ON_DEVICE void wet(const Plan& plan, Items items) {
+ERG_ON_DEVICE void wet(const Plan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.nx * plan.ny) {
     const std::int32_t dx = distance(cell % plan.nx, plan.x, plan.nx, plan.torus);
     const std::int32_t dy = distance(cell / plan.nx, plan.y, plan.ny, plan.torus);

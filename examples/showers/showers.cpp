@@ -9,20 +9,25 @@
 #include "rain_kernels.h"
 
 namespace erg {
+
+using compute::Executor;
+using models::CoverField;
+using models::SlabModel;
+
 namespace rain {
 
 #define ERG_KERNEL(family, name) \
-  constinit const KernelOf<Plan> Kernels::name = make_kernel<Plan, family::name>(#family "_" #name);
+  constinit const compute::KernelOf<Plan> Kernels::name = compute::make_kernel<Plan, family::name>(#family "_" #name);
 #include "rain_kernels.def"
 #undef ERG_KERNEL
 
 }  // namespace rain
 namespace {
 
-constexpr SlabFamily family{};
+constexpr models::SlabFamily family{};
 
 /// What its parameters say.
-struct ShowerValues : SlabValues {
+struct ShowerValues : models::SlabValues {
   double shower_chance = 0;  ///< a step
   double shower_radius = 0;  ///< m
   double drying_steps = 1;
@@ -53,7 +58,7 @@ Binding<ShowerValues> showers_binding() {
                                              .maximum = 10000,
                                              .meaning = "Steps after which wet ground is dry again.",
                                              .source = "Wiggs, Baird & Atherton 2004"}}};
-  return Binding<ShowerValues>(slab_binding(family), own);
+  return Binding<ShowerValues>(models::slab_binding(family), own);
 }
 
 std::vector<FieldInfo> showers_fields() {
@@ -70,11 +75,11 @@ class Showers : public SlabModel {
     terrain.edit_fields().push_back({showers_fields().front(), Grid<float>(terrain.extent())});
   }
 
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
+  models::StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, Executor& executor) override {
     let_it_rain(terrain, key, executor);
-    SlabLaw law = SlabModel::law(terrain);
+    models::SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover_;
-    return move_slabs(executor, terrain, law, wind, key);
+    return models::move_slabs(executor, terrain, law, wind, key);
   }
 
  private:
@@ -96,9 +101,9 @@ class Showers : public SlabModel {
   void let_it_rain(Terrain& terrain, StepKey key, Executor& executor) {
     rain::Plan plan = this->plan(terrain, key);
     std::vector<std::int32_t> moisture(terrain.extent().cells());
-    executor.on_backend(terrain, [&](Backend& backend) {
+    executor.on_backend(terrain, [&](compute::Backend& backend) {
       const std::span<const float> before = std::as_const(terrain).fields().front().values.cells();
-      Buffer<std::int32_t> cells(backend, moisture.size());
+      compute::Buffer<std::int32_t> cells(backend, moisture.size());
       backend.send_each(cells, [&](std::size_t cell) { return static_cast<std::int32_t>(before[cell]); });
       plan.moisture = cells.data();
       backend.launch(rain::Kernels::wet, static_cast<std::int64_t>(moisture.size()), plan);
@@ -111,29 +116,29 @@ class Showers : public SlabModel {
   }
 
   ShowerValues values_;
-  Cover cover_;
+  models::Cover cover_;
 };
 
 }  // namespace
 
-ModelType showers() {
-  return ModelOf<ShowerValues>{
+models::ModelType showers() {
+  return models::ModelOf<ShowerValues>{
       .info = {.key = "showers",
                .title = "Showers",
                .citation =
                    "Werner 1995 on ground that dries as in Wiggs, G. F. S., Baird, A. J. & Atherton, R. J. (2004). "
                    "The dynamic effects of moisture on the entrainment and transport of sand by wind. "
                    "Geomorphology 59, 13-30.",
-               .makes = "dunes with patches that stand still for a while",
-               .leaves_out = "how deep rain soaks in, run-off, the sun, salt",
-               .step = slab_step,
-               .strength_label = slab_strength},
+               .produces = "dunes with patches that stand still for a while",
+               .limitations = "how deep rain soaks in, run-off, the sun, salt",
+               .step = models::slab_step,
+               .strength_label = models::slab_strength},
       .parameters = showers_binding(),
       .fields = showers_fields(),
       .working_bytes = 6,  // bytes a cell: moisture on its way, the cover, here and with the executor
       .make = [](const ShowerValues& values) { return std::make_unique<Showers>(values); },
-      .explain = [](const ShowerValues& values, double cell_size) { return explain_slabs(values, cell_size); },
-      .step_scale = slab_step_scale};
+      .explain = [](const ShowerValues& values, double cell_size) { return models::explain_slabs(values, cell_size); },
+      .step_scale = models::slab_step_scale};
 }
 
 }  // namespace erg

@@ -10,6 +10,6 @@
 namespace erg {
 
 /// The catalogue entry.
-ModelType showers();
+models::ModelType showers();
 
 }  // namespace erg

@@ -12,18 +12,19 @@ namespace {
 /// The phase of the waves near wave number `wanted` (cycles per cell) that face the wind.
 Grid<double> wave_phase(const CoarseSurface& surface, double bearing, double wanted) {
   Spectrum2D real = transform(surface);
-  Spectrum2D imaginary(real.extent());
+  Spectrum2D imaginary = real;
   const double toward_x = -std::sin(radians(bearing));
   const double toward_y = -std::cos(radians(bearing));
-  for (int y = 0; y < real.ny(); ++y) {
-    const double ky = signed_frequency(y, real.ny()) / (real.ny() * surface.cells_y);
-    for (int x = 0; x < real.nx(); ++x) {
-      const double kx = signed_frequency(x, real.nx()) / (real.nx() * surface.cells_x);
+  for (int y = 0; y < real.values.ny(); ++y) {
+    const double ky = signed_frequency(y, real.values.ny()) / (real.values.ny() * surface.cells_y);
+    for (int x = 0; x < real.values.nx(); ++x) {
+      const double kx = x / (real.nx * surface.cells_x);
       const double octaves = std::log2(std::max(std::hypot(kx, ky), 1e-12) / wanted);
-      const bool kept = kx * toward_x + ky * toward_y > 0 && std::abs(octaves) < 1;
-      const double share = kept ? std::pow(std::cos(octaves * std::numbers::pi / 2), 2) : 0;
-      real(x, y) *= share;
-      imaginary(x, y) = real(x, y) * std::complex<double>(0, -1);
+      const double share = std::abs(octaves) < 1 ? std::pow(std::cos(octaves * std::numbers::pi / 2), 2) : 0;
+      const double facing = kx * toward_x + ky * toward_y;
+      // Of a frequency and its conjugate one faces the wind; their mean is real, and so is that turned by a quarter.
+      real.values(x, y) *= facing != 0 ? share / 2 : 0;
+      imaginary.values(x, y) *= std::complex<double>(0, facing > 0 ? -share / 2 : facing < 0 ? share / 2 : 0);
     }
   }
   Grid<double> phase = transform_back(std::move(real));

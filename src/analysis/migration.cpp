@@ -58,16 +58,18 @@ Eigen::Vector2d refined_shift(const Grid<double>& correlation, Peak peak) {
 
 bool is_flat(const Spectrum2D& spectrum) {
   double power = 0;
-  for (const auto& value : spectrum.cells()) power += std::norm(value);
-  const auto cells = static_cast<double>(spectrum.size());
+  for (const auto& value : spectrum.values.cells()) power += std::norm(value);
+  const auto cells = static_cast<double>(spectrum.values.size());
   return power <= 1e-20 * cells * cells;
 }
 
-std::optional<Shift> shift_between(const Spectrum2D& earlier, const Spectrum2D& later, double cells_x, double cells_y) {
-  if (earlier.extent() != later.extent() || is_flat(earlier) || is_flat(later)) return std::nullopt;
-  Spectrum2D cross(later.extent());
-  for (std::size_t cell = 0; cell < cross.size(); ++cell) cross[cell] = std::conj(earlier[cell]) * later[cell];
-  const Grid<double> correlation = transform_back(std::move(cross));
+std::optional<Shift> shift_between(const Spectrum2D& earlier, const Spectrum2D& later, double cells_x, double cells_y,
+                                   const ShareWork& share) {
+  if (earlier.nx != later.nx || earlier.values.extent() != later.values.extent() || is_flat(earlier) || is_flat(later))
+    return std::nullopt;
+  Spectrum2D cross = later;
+  for (std::size_t cell = 0; cell < cross.values.size(); ++cell) cross.values[cell] *= std::conj(earlier.values[cell]);
+  const Grid<double> correlation = transform_back(std::move(cross), share);
   const Peak peak = find_peak(correlation, cells_x, cells_y);
   const Eigen::Vector2d shift = refined_shift(correlation, peak);
   return Shift{shift.x() * cells_x, shift.y() * cells_y};
@@ -76,14 +78,14 @@ std::optional<Shift> shift_between(const Spectrum2D& earlier, const Spectrum2D& 
 }  // namespace
 
 std::optional<Shift> pattern_shift(const CoarseSurface& earlier, const CoarseSurface& later) {
-  return shift_between(transform(earlier), transform(later), later.cells_x, later.cells_y);
+  return shift_between(transform(earlier), transform(later), later.cells_x, later.cells_y, do_alone);
 }
 
-void MigrationTracker::observe(std::int64_t step, const CoarseSurface& surface) {
-  Spectrum2D spectrum = transform(surface);
-  if (last_.extent() != spectrum.extent()) restart();
-  if (!last_.empty() && step > last_step_) {
-    if (const auto shift = shift_between(last_, spectrum, surface.cells_x, surface.cells_y)) {
+void MigrationTracker::observe(std::int64_t step, const CoarseSurface& surface, const ShareWork& share) {
+  Spectrum2D spectrum = transform(surface, share);
+  if (last_.nx != spectrum.nx || last_.values.extent() != spectrum.values.extent()) restart();
+  if (!last_.values.empty() && step > last_step_) {
+    if (const auto shift = shift_between(last_, spectrum, surface.cells_x, surface.cells_y, share)) {
       travelled_.x += shift->x;
       travelled_.y += shift->y;
       steps_ += step - last_step_;

@@ -24,7 +24,7 @@ std::optional<Shift> pattern_shift(const CoarseSurface& earlier, const CoarseSur
 class MigrationTracker {
  public:
   /// Takes note of the surface after `step` steps; steps must grow. A change of extent starts anew.
-  void observe(std::int64_t step, const CoarseSurface& surface);
+  void observe(std::int64_t step, const CoarseSurface& surface, const ShareWork& share = do_alone);
   /// Forgets everything, for example after an edit.
   void restart() { *this = MigrationTracker(); }
   /// Counts velocity anew from the last observation.

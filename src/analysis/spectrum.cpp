@@ -6,27 +6,29 @@
 
 namespace erg::analysis {
 
-SpectrumNumbers measure_spectrum(const CoarseSurface& surface) {
-  const Spectrum2D spectrum = transform(surface);
+SpectrumNumbers measure_spectrum(const CoarseSurface& surface, const ShareWork& share) {
+  const Spectrum2D spectrum = transform(surface, share);
   double power_sum = 0;
   double wave_number_sum = 0;
   double cosine = 0;  // of twice the wave vector's angle: an axis has no sign
   double sine = 0;
-  for (int y = 0; y < spectrum.ny(); ++y) {
-    const double ky = signed_frequency(y, spectrum.ny()) / (spectrum.ny() * surface.cells_y);
-    for (int x = 0; x < spectrum.nx(); ++x) {
+  const Grid<std::complex<double>>& values = spectrum.values;
+  for (int y = 0; y < values.ny(); ++y) {
+    const double ky = signed_frequency(y, values.ny()) / (values.ny() * surface.cells_y);
+    for (int x = 0; x < values.nx(); ++x) {
       if (x == 0 && y == 0) continue;
-      const double kx = signed_frequency(x, spectrum.nx()) / (spectrum.nx() * surface.cells_x);
-      const double power = std::norm(spectrum(x, y));
+      const double kx = x / (spectrum.nx * surface.cells_x);
+      const double power = spectrum.weight(x) * std::norm(values(x, y));
       const double square = kx * kx + ky * ky;
       power_sum += power;
       wave_number_sum += power * std::sqrt(square);
       cosine += power * (kx * kx - ky * ky) / square;
-      sine += power * 2 * kx * ky / square;
+      // At half the sampling rate both signs of a frequency are one, which leans to no side.
+      if (2 * y != values.ny()) sine += power * 2 * kx * ky / square;
     }
   }
   // Rounding leaves a trace of power on a flat surface: 1e-20 square quanta a cell is none.
-  const auto cells = static_cast<double>(spectrum.size());
+  const auto cells = static_cast<double>(surface.heights.size());
   if (power_sum <= 1e-20 * cells * cells) return {};
   // The wave vector's angle counts from east, counter-clockwise; crests lie across it, and a bearing counts clockwise
   // from north: 90 - (angle + 90).

@@ -26,6 +26,6 @@ struct SpectrumNumbers {
 inline constexpr double least_alignment = 0.4;
 
 /// Of the surface without its mean; one with open edges is faded out toward them (see transform).
-SpectrumNumbers measure_spectrum(const CoarseSurface& surface);
+SpectrumNumbers measure_spectrum(const CoarseSurface& surface, const ShareWork& share = do_alone);
 
 }  // namespace erg::analysis

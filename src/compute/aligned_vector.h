@@ -6,7 +6,7 @@
 #include <new>
 #include <vector>
 
-namespace erg {
+namespace erg::compute {
 
 /// Bytes that a processor's cache takes in at once.
 inline constexpr std::size_t cache_line = 64;
@@ -28,4 +28,4 @@ struct CacheAligned {
 template <typename T>
 using AlignedVector = std::vector<T, CacheAligned<T>>;
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -13,7 +13,7 @@
 
 #include "compute/kernel.h"
 
-namespace erg {
+namespace erg::compute {
 
 /// A device that is missing, full or broken. The text is a clause: "out of memory (asked for 64 MiB)".
 class DeviceError : public std::runtime_error {
@@ -76,8 +76,8 @@ class Backend {
     });
   }
   /// Copies in value(number) of each element.
-  template <typename Value>
-  void send_each(const Buffer<std::int32_t>& buffer, const Value& value);
+  template <typename T, typename Value>
+  void send_each(const Buffer<T>& buffer, const Value& value);
   /// The sums over all slots of what kernels have counted in `words` words each.
   template <int words>
   Counters<words> read_counters(const Buffer<CounterWord>& buffer);
@@ -123,12 +123,12 @@ void Backend::fit(Buffer<T>& buffer, std::size_t count) {
   if (count > 0) buffer = Buffer<T>(*this, count);
 }
 
-template <typename Value>
-void Backend::send_each(const Buffer<std::int32_t>& buffer, const Value& value) {
+template <typename T, typename Value>
+void Backend::send_each(const Buffer<T>& buffer, const Value& value) {
   copy_in(buffer.data(), buffer.bytes(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
-    auto* values = reinterpret_cast<std::int32_t*>(target);
-    const std::size_t first_number = first / sizeof(std::int32_t);
-    for (std::size_t k = 0; k < bytes / sizeof(std::int32_t); ++k) values[k] = value(first_number + k);
+    auto* values = reinterpret_cast<T*>(target);
+    const std::size_t first_number = first / sizeof(T);
+    for (std::size_t k = 0; k < bytes / sizeof(T); ++k) values[k] = value(first_number + k);
   });
 }
 
@@ -140,4 +140,4 @@ Counters<words> Backend::read_counters(const Buffer<CounterWord>& buffer) {
   return sums;
 }
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -7,7 +7,7 @@
 #include "compute/aligned_vector.h"
 #include "compute/work_queue.h"
 
-namespace erg {
+namespace erg::compute {
 
 void CpuBackend::parallel_for(std::int64_t items,
                               const std::function<void(std::int64_t begin, std::int64_t end)>& work) {
@@ -45,4 +45,4 @@ void CpuBackend::launch(const Kernel& kernel, std::int64_t items, const void* pl
   });
 }
 
-}  // namespace erg
+}  // namespace erg::compute

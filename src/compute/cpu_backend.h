@@ -8,7 +8,7 @@
 #include "compute/backend.h"
 #include "compute/thread_pool.h"
 
-namespace erg {
+namespace erg::compute {
 
 class CpuBackend : public Backend {
  public:
@@ -38,4 +38,4 @@ class CpuBackend : public Backend {
   ThreadPool pool_;
 };
 
-}  // namespace erg
+}  // namespace erg::compute

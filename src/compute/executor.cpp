@@ -2,7 +2,7 @@
 
 #include <bit>
 
-namespace erg {
+namespace erg::compute {
 
 Executor::Executor(const ExecutorOptions& options, std::unique_ptr<Backend> device, std::string notice)
     : options_(options),
@@ -71,4 +71,4 @@ void Executor::fall_back_to_cpu(Terrain& terrain, const std::string& why) {
   restore();
 }
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -24,7 +24,7 @@
 #include "core/errors.h"
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::compute {
 
 /// Which executor, and how it works.
 struct ExecutorOptions {
@@ -205,4 +205,4 @@ void Executor::on_backend(Terrain& terrain, const Work& work) {
   work(processor_);
 }
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -5,7 +5,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::compute {
 
 InstructionSet best_instruction_set() {
 #if defined(__x86_64__)
@@ -46,4 +46,4 @@ InstructionSet wanted_instruction_set() {
   return name == nullptr || *name == '\0' ? best_instruction_set() : find_instruction_set(name, instructions_variable);
 }
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace erg {
+namespace erg::compute {
 
 /// The variable of the environment that forces an InstructionSet.
 inline constexpr const char* instructions_variable = "ERG_INSTRUCTIONS";
@@ -20,4 +20,4 @@ InstructionSet find_instruction_set(const std::string& name, const std::string& 
 /// asks for none. Throws InputError as find_instruction_set.
 InstructionSet wanted_instruction_set();
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -27,7 +27,7 @@
        item += items.stride)
 // NOLINTEND(bugprone-macro-parentheses)
 
-namespace erg {
+namespace erg::compute {
 
 /// The items that one thread does: `first` and every `stride` from there on, before `end`. All items of a launch are
 /// below 2^29: whole divisions of 32 bits cost a card a fraction of those of 64.
@@ -86,6 +86,15 @@ ERG_ON_DEVICE T atomic_exchange(T* place, T value) {
 #endif
 }
 
+template <typename T>
+ERG_ON_DEVICE T atomic_read(T* place) {
+#if defined(__CUDA_ARCH__)
+  return *static_cast<volatile T*>(place);
+#else
+  return std::atomic_ref<T>(*place).load(std::memory_order_relaxed);
+#endif
+}
+
 /// Raises a bound that many threads share. Most find it high enough already and only look.
 ERG_ON_DEVICE void raise(std::uint32_t* bound, std::uint32_t value) {
 #if defined(__CUDA_ARCH__)
@@ -117,4 +126,4 @@ struct Counters {
   }
 };
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -11,7 +11,7 @@
 #include <immintrin.h>
 #endif
 
-namespace erg {
+namespace erg::compute {
 namespace {
 
 void pause_a_moment() {
@@ -19,6 +19,10 @@ void pause_a_moment() {
   _mm_pause();
 #endif
 }
+
+/// Looks for which a thread then gives its processor to others that could run, before it sleeps: to be woken takes
+/// longer than most phases, and where there are more threads than processors one of them is still to come.
+constexpr int yields = 200;
 
 }  // namespace
 
@@ -28,6 +32,10 @@ void Signal::wait_while(unsigned seen, int spins) const {
   for (int spin = 0; spin < spins; ++spin) {
     if (now() != seen) return;
     pause_a_moment();
+  }
+  for (int yield = 0; yield < yields; ++yield) {
+    if (now() != seen) return;
+    std::this_thread::yield();
   }
   value_.wait(seen, std::memory_order_acquire);
 }
@@ -121,4 +129,4 @@ void ThreadPool::serve(int member) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -9,10 +9,10 @@
 
 #include "compute/aligned_vector.h"
 
-namespace erg {
+namespace erg::compute {
 
-/// A number that threads wait for. They look at it for a moment first, since phases last microseconds, and then sleep,
-/// so that nothing collapses where there are more threads than processors.
+/// A number that threads wait for. They look at it for a moment first, since phases last microseconds, then let others
+/// run while they look, and then sleep: nothing collapses where there are more threads than processors.
 class alignas(cache_line) Signal {
  public:
   unsigned now() const { return value_.load(std::memory_order_acquire); }
@@ -88,4 +88,4 @@ class ThreadPool {
   std::vector<std::thread> threads_;
 };
 
-}  // namespace erg
+}  // namespace erg::compute

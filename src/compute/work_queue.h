@@ -8,7 +8,7 @@
 
 #include "compute/aligned_vector.h"
 
-namespace erg {
+namespace erg::compute {
 
 /// Items [0, items). Each member has a share of its own, so that it works where it worked before, and takes it in
 /// chunks that get smaller and smaller; once that is done it helps the others with theirs.
@@ -48,4 +48,4 @@ class WorkQueue {
   std::vector<Share> shares_;
 };
 
-}  // namespace erg
+}  // namespace erg::compute

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 
-#include "core/cell_rule.h"
+#include "core/subset.h"
 
 namespace erg {
+
+#include "core/random.k"
 
 /// SplitMix64's finaliser (Steele, Lea & Flood 2014): a bijection of 64-bit words that mixes every bit.
 ERG_CELL_RULE std::uint64_t mix64(std::uint64_t word) {
@@ -14,15 +16,6 @@ ERG_CELL_RULE std::uint64_t mix64(std::uint64_t word) {
   word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9u;
   word = (word ^ (word >> 27)) * 0x94d049bb133111ebu;
   return word ^ (word >> 31);
-}
-
-/// A 32-bit hash with low bias (Wellons 2018, "lowbias32"): short enough for the inner loops, vectorises well.
-ERG_CELL_RULE std::uint32_t mix32(std::uint32_t word) {
-  word ^= word >> 16;
-  word *= 0x7feb352du;
-  word ^= word >> 15;
-  word *= 0x846ca68bu;
-  return word ^ (word >> 16);
 }
 
 /// The moment of a draw: which run, which time step.

@@ -24,7 +24,7 @@ inline double fold_bearing(double degrees) {
 /// The largest height step between neighbouring cells that still stands, in quanta, for an angle in degrees: a quantum
 /// slides while the step exceeds it. tan(angle) * cell_size / quantum, rounded up (30 deg and slabs of a third of a
 /// cell give 2, 33.7 deg gives 3).
-inline int standing_step(double angle, double cell_size, double quantum) {
+inline int critical_step(double angle, double cell_size, double quantum) {
   return static_cast<int>(std::ceil(std::tan(radians(angle)) * cell_size / quantum - 1e-9));
 }
 

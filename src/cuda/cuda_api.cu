@@ -3,7 +3,7 @@
 
 #include "cuda/cuda_api.h"
 
-namespace erg {
+namespace erg::cuda {
 namespace {
 
 class CudaApiOfTheRuntime : public CudaApi {
@@ -57,4 +57,4 @@ class CudaApiOfTheRuntime : public CudaApi {
 
 std::unique_ptr<CudaApi> cuda_api() { return std::make_unique<CudaApiOfTheRuntime>(); }
 
-}  // namespace erg
+}  // namespace erg::cuda

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace erg {
+namespace erg::cuda {
 
 /// Threads in a block of every launch.
 inline constexpr int device_block = 256;
@@ -45,4 +45,4 @@ class CudaApi {
 /// The real ones; null where Erg was built without CUDA.
 std::unique_ptr<CudaApi> cuda_api();
 
-}  // namespace erg
+}  // namespace erg::cuda

@@ -4,7 +4,11 @@
 #include <cstdint>
 #include <utility>
 
-namespace erg {
+namespace erg::cuda {
+
+using compute::DeviceError;
+using compute::Executor;
+
 namespace {
 
 constexpr std::int64_t most_blocks = 1 << 20;
@@ -103,15 +107,15 @@ void CudaBackend::copy_out(const void* memory, std::size_t bytes, const Unpack& 
   }
 }
 
-void CudaBackend::launch(const Kernel& kernel, std::int64_t items, const void* plan) {
+void CudaBackend::launch(const compute::Kernel& kernel, std::int64_t items, const void* plan) {
   const void* const entry = entries_(kernel);
   if (entry == nullptr) throw DeviceError(std::string("there is no kernel ") + kernel.name + " for the device");
   check(api_->launch(entry, blocks_for(items), plan, stream_), "starting a kernel");
 }
 
-std::unique_ptr<Executor> make_cuda_executor(const ExecutorOptions& options, std::unique_ptr<CudaApi> api,
+std::unique_ptr<Executor> make_cuda_executor(const compute::ExecutorOptions& options, std::unique_ptr<CudaApi> api,
                                              CudaEntries entries) {
-  std::unique_ptr<Backend> device;
+  std::unique_ptr<compute::Backend> device;
   std::string notice;
   try {
     device = std::make_unique<CudaBackend>(std::move(api), entries);
@@ -121,4 +125,4 @@ std::unique_ptr<Executor> make_cuda_executor(const ExecutorOptions& options, std
   return std::make_unique<Executor>(options, std::move(device), notice);
 }
 
-}  // namespace erg
+}  // namespace erg::cuda

@@ -10,12 +10,12 @@
 #include "compute/executor.h"
 #include "cuda/cuda_api.h"
 
-namespace erg {
+namespace erg::cuda {
 
 /// The entry of a kernel on the card (a __global__ function that takes its plan); null where it has none.
-using CudaEntries = const void* (*)(const Kernel& kernel);
+using CudaEntries = const void* (*)(const compute::Kernel& kernel);
 
-class CudaBackend : public Backend {
+class CudaBackend : public compute::Backend {
  public:
   /// The first device. Throws DeviceError if there is none that works.
   CudaBackend(std::unique_ptr<CudaApi> api, CudaEntries entries);
@@ -33,9 +33,9 @@ class CudaBackend : public Backend {
   void fill(void* memory, int byte, std::size_t bytes) override;
   void copy_in(void* memory, std::size_t bytes, const Pack& pack) override;
   void copy_out(const void* memory, std::size_t bytes, const Unpack& unpack) override;
-  void launch(const Kernel& kernel, std::int64_t items, const void* plan) override;
-  using Backend::fill;
-  using Backend::launch;
+  void launch(const compute::Kernel& kernel, std::int64_t items, const void* plan) override;
+  using compute::Backend::fill;
+  using compute::Backend::launch;
 
   /// Bytes of a piece; a multiple of every element's size. The processor packs one while the one before is on its way.
   static constexpr std::size_t piece_bytes = std::size_t{1} << 22;
@@ -58,7 +58,7 @@ class CudaBackend : public Backend {
 };
 
 /// The executor "cuda": on the card, or on the processor, with a notice, where no card works.
-std::unique_ptr<Executor> make_cuda_executor(const ExecutorOptions& options, std::unique_ptr<CudaApi> api,
-                                             CudaEntries entries);
+std::unique_ptr<compute::Executor> make_cuda_executor(const compute::ExecutorOptions& options,
+                                                      std::unique_ptr<CudaApi> api, CudaEntries entries);
 
-}  // namespace erg
+}  // namespace erg::cuda

@@ -8,7 +8,7 @@
 #include "core/errors.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::forcing {
 namespace {
 
 constexpr double compass_point = 22.5;
@@ -82,4 +82,4 @@ double parse_bearing(std::string_view text, const std::string& place) {
   throw InputError(place, "bearing is " + quote(text), std::string("expected ") + accepted_bearings);
 }
 
-}  // namespace erg
+}  // namespace erg::forcing

@@ -6,7 +6,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::forcing {
 
 /// A direction on the ground: x east, y north, length 1.
 struct Direction {
@@ -30,4 +30,4 @@ double parse_bearing(std::string_view text, const std::string& place);
 /// The nearest point of the compass in capitals: "WSW" for 250.
 std::string compass_name(double bearing);
 
-}  // namespace erg
+}  // namespace erg::forcing

@@ -4,7 +4,7 @@
 
 #include "forcing/bearing.h"
 
-namespace erg {
+namespace erg::forcing {
 namespace {
 
 constexpr Notation bearing_notation{accepted_bearings, parse_bearing, fold_bearing};
@@ -204,4 +204,4 @@ Course course_of(const ParameterValues& row) {
   return {first, row.is_set("last") ? row.real("last") : first, row.bezier("curve")};
 }
 
-}  // namespace erg
+}  // namespace erg::forcing

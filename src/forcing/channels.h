@@ -12,7 +12,7 @@
 #include "core/parameters.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::forcing {
 
 /// A value over time: from a first to a last along a curve that people bend.
 struct Course {
@@ -105,4 +105,4 @@ ParameterValues row_of(const Course& course, const Channel& channel);
 /// The course that a row says. A `first` alone stands for both ends.
 Course course_of(const ParameterValues& row);
 
-}  // namespace erg
+}  // namespace erg::forcing

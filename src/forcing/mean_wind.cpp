@@ -5,7 +5,7 @@
 
 #include "forcing/bearing.h"
 
-namespace erg {
+namespace erg::forcing {
 namespace {
 
 constexpr std::int64_t most_samples = 64;
@@ -49,4 +49,4 @@ std::optional<double> resultant_bearing(const WindSchedule& schedule) {
   return bearing_of(drift);
 }
 
-}  // namespace erg
+}  // namespace erg::forcing

@@ -5,7 +5,7 @@
 
 #include "forcing/wind_schedule.h"
 
-namespace erg {
+namespace erg::forcing {
 
 /// The mean strength over one cycle of the schedule, in its seasons' unit: each step counts alike, calms too. Exact
 /// where strength does not change within a season or a season has at most 64 steps; else to about 1e-3 of its change.
@@ -16,4 +16,4 @@ double mean_strength(const WindSchedule& schedule);
 /// side).
 std::optional<double> resultant_bearing(const WindSchedule& schedule);
 
-}  // namespace erg
+}  // namespace erg::forcing

@@ -11,7 +11,7 @@
 #include "forcing/shadow_reach.h"
 #include "forcing/wind_frame.h"
 
-namespace erg {
+namespace erg::forcing {
 namespace {
 
 // Heights on the scan are fixed-point numbers with 24 bits after the point, so that a shadow line does not depend on
@@ -34,6 +34,29 @@ int warm_up_rows(const Terrain& terrain, const WindFrame& frame, double fall) {
   return shadow_reach(static_cast<double>(range.high) - range.low, fall, frame.cosine, limit);
 }
 
+/// Calls visit(u, v) for every cell of the frame, square by square: rows of one lie along columns of the other, and
+/// neither should be fetched anew for each cell.
+template <typename Visit>
+void for_squares(const WindFrame& frame, const Visit& visit) {
+  constexpr int side = 16;
+  for (int row = 0; row < frame.length; row += side) {
+    for (int column = 0; column < frame.width; column += side) {
+      for (int v = row; v < std::min(row + side, frame.length); ++v) {
+        for (int u = column; u < std::min(column + side, frame.width); ++u) visit(u, v);
+      }
+    }
+  }
+}
+
+Grid<std::int32_t> surface_in(const Terrain& terrain, const WindFrame& frame) {
+  Grid<std::int32_t> surface({frame.width, frame.length});
+  for_squares(frame, [&](int u, int v) {
+    const std::size_t cell = frame.cell(u, v);
+    surface(u, v) = terrain.bedrock()[cell] + terrain.mobile()[cell];
+  });
+  return surface;
+}
+
 }  // namespace
 
 double shadow_fall(double angle, double cell_size, double quantum) {
@@ -47,37 +70,44 @@ ShadowFalls shadow_falls(const WindFrame& frame, double fall) {
 }
 
 Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fall) {
-  Grid<std::uint8_t> dark(terrain.extent());
-  if (dark.empty()) return dark;
+  if (terrain.extent().cells() == 0) return Grid<std::uint8_t>(terrain.extent());
   const WindFrame frame = wind_frame(terrain.extent(), bearing);
   const bool torus = terrain.boundary() == Boundary::torus;
   const ShadowFalls falls = shadow_falls(frame, fall);
   const Fixed row_fall = to_fixed(falls.row);
   const Fixed next_fall = to_fixed(falls.next);
   const Fixed second_fall = to_fixed(falls.second);
+  const Grid<std::int32_t> surface = surface_in(terrain, frame);
+  Grid<std::uint8_t> dark(surface.extent());
   const auto lines = static_cast<std::size_t>(frame.width);
+  // Each line at the place of its column in the row.
   std::vector<Fixed> far(lines, no_line);     // shadow line of all that stands two rows upwind and farther
   std::vector<Fixed> next(lines, no_line);    // height of the next row upwind
   std::vector<Fixed> second(lines, no_line);  // and of the second
   const int start = torus ? -warm_up_rows(terrain, frame, fall) : 0;
   for (int row = start; row < frame.length; ++row) {
-    const int sideways = drift(frame, row);
-    const bool moved = row > start && sideways != drift(frame, row - 1);
-    for (int line = 0; line < frame.width; ++line) {
-      const int column = wrap(line + sideways, frame.width);
-      const auto at = static_cast<std::size_t>(line);
-      // A line that enters over the side has nothing upwind.
-      if (!torus && moved && column == 0) far[at] = next[at] = second[at] = no_line;
-      const std::size_t cell = frame.cell(column, wrap(row, frame.length));
-      const Fixed height = (Fixed{terrain.bedrock()[cell]} + terrain.mobile()[cell]) * fixed_one;
-      const Fixed near = std::max(next[at] - next_fall, second[at] - second_fall);
-      if (row >= 0) dark[cell] = height < std::max(far[at], near) ? 1 : 0;
-      far[at] = std::max(next[at] - row_fall, far[at]) - row_fall;
-      second[at] = next[at];
-      next[at] = height;
+    if (row > start && drift(frame, row) != drift(frame, row - 1)) {
+      for (std::vector<Fixed>* const heights : {&far, &next, &second}) {
+        std::rotate(heights->begin(), heights->end() - 1, heights->end());
+        // A line that enters over the side has nothing upwind.
+        if (!torus) heights->front() = no_line;
+      }
+    }
+    const int here = wrap(row, frame.length);
+    const std::int32_t* const heights = surface.row(here).data();
+    std::uint8_t* const shaded = dark.row(here).data();
+    for (std::size_t column = 0; column < lines; ++column) {
+      const Fixed height = Fixed{heights[column]} * fixed_one;
+      const Fixed near = std::max(next[column] - next_fall, second[column] - second_fall);
+      shaded[column] = height < std::max(far[column], near) ? 1 : 0;
+      far[column] = std::max(next[column] - row_fall, far[column]) - row_fall;
+      second[column] = next[column];
+      next[column] = height;
     }
   }
-  return dark;
+  Grid<std::uint8_t> turned(terrain.extent());
+  for_squares(frame, [&](int u, int v) { turned[frame.cell(u, v)] = dark(u, v); });
+  return turned;
 }
 
 Field shadow_field(const Terrain& terrain, double bearing, double fall) {
@@ -94,4 +124,4 @@ Field shadow_field(const Terrain& terrain, double bearing, double fall) {
   return field;
 }
 
-}  // namespace erg
+}  // namespace erg::forcing

@@ -6,7 +6,7 @@
 #include "core/terrain.h"
 #include "forcing/wind_frame.h"
 
-namespace erg {
+namespace erg::forcing {
 
 /// The fall of the shadow line behind a peak, in quanta a cell: tan(angle) * cell_size / quantum. `angle` in degrees
 /// (15 in print).
@@ -36,4 +36,4 @@ Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fal
 /// The same as a field for pictures: "shadow".
 Field shadow_field(const Terrain& terrain, double bearing, double fall);
 
-}  // namespace erg
+}  // namespace erg::forcing

@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 
-namespace erg {
+namespace erg::forcing {
 
 WindFrame wind_frame(Extent extent, double bearing) {
   const double east = -std::sin(radians(bearing));
@@ -38,4 +38,4 @@ WindFrame wind_frame(Extent extent, double bearing) {
   return frame;
 }
 
-}  // namespace erg
+}  // namespace erg::forcing

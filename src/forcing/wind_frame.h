@@ -8,7 +8,7 @@
 
 #include "core/grid.h"
 
-namespace erg {
+namespace erg::forcing {
 
 /// u runs across the wind, v along it. Cell (u, v) of the frame is cell `origin + u * step_u + v * step_v` of the
 /// terrain.
@@ -33,4 +33,4 @@ struct WindFrame {
 /// The frame for a wind that blows from `bearing` (degrees).
 WindFrame wind_frame(Extent extent, double bearing);
 
-}  // namespace erg
+}  // namespace erg::forcing

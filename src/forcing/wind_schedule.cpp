@@ -5,7 +5,7 @@
 
 #include "core/random.h"
 
-namespace erg {
+namespace erg::forcing {
 
 WindSchedule WindSchedule::constant(double bearing, double strength) {
   WindInterval season;
@@ -72,4 +72,4 @@ double wind_swing(double spread, std::size_t season, std::uint64_t seed, std::in
   return swings[place % draws_a_round];
 }
 
-}  // namespace erg
+}  // namespace erg::forcing

@@ -8,7 +8,7 @@
 
 #include "forcing/channels.h"
 
-namespace erg {
+namespace erg::forcing {
 
 /// Draws in whose mean a season's wind has its bearing exactly.
 inline constexpr std::size_t draws_a_round = 16;
@@ -41,4 +41,4 @@ struct WindSchedule {
   Forcing wind_at(std::int64_t step, const std::uint64_t* seed) const;
 };
 
-}  // namespace erg
+}  // namespace erg::forcing

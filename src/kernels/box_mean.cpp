@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-namespace erg {
+namespace erg::kernels {
+
+using compute::AlignedVector;
 
 float box_share(int radius, bool twice) {
   const double cells = (2.0 * radius + 1) * (2.0 * radius + 1);
@@ -79,4 +81,4 @@ void BoxMeans::next(float* means) {
   grid_.kernels->average(sums_.data(), share_, means, grid_.extent.nx);
 }
 
-}  // namespace erg
+}  // namespace erg::kernels

@@ -7,7 +7,7 @@
 #include "core/grid.h"
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::kernels {
 
 /// Loops over neighbouring cells, compiled for an instruction set by whoever takes means. Sums are whole numbers below
 /// 2^53.
@@ -45,7 +45,7 @@ class BoxMeans {
   /// Sums over the rows of the squares around a row.
   struct Columns {
     int row = 0;
-    AlignedVector<double> sums;
+    compute::AlignedVector<double> sums;
   };
 
   int folded(int at, int count) const;
@@ -62,10 +62,10 @@ class BoxMeans {
   bool started_ = false;  // the first row has been given
   Columns leading_;
   // Sums of such sums, and the row that leaves them.
-  AlignedVector<double> second_;
+  compute::AlignedVector<double> second_;
   Columns trailing_;
-  AlignedVector<double> extended_;  // over the edges
-  AlignedVector<double> sums_;
+  compute::AlignedVector<double> extended_;  // over the edges
+  compute::AlignedVector<double> sums_;
 };
 
-}  // namespace erg
+}  // namespace erg::kernels

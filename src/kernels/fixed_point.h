@@ -5,7 +5,7 @@
 
 #include "core/cell_rule.h"
 
-namespace erg {
+namespace erg::kernels {
 
 /// Binary places of the fixed-point numbers: 1/256 slab, 1/256 row.
 inline constexpr int fixed_point_bits = 8;
@@ -18,4 +18,4 @@ ERG_CELL_RULE std::int64_t fixed_point(double value) {
   return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
 }
 
-}  // namespace erg
+}  // namespace erg::kernels

@@ -11,34 +11,35 @@
 #include "forcing/wind_frame.h"
 #include "kernels/layer_kernels.h"
 
-namespace erg {
+namespace erg::kernels {
 
-using FrameLayer = Buffer<std::int32_t>;
+using FrameLayer = compute::Buffer<std::int32_t>;
 
 class FrameLayers {
  public:
-  explicit FrameLayers(Backend& backend) : backend_(backend) {}
+  explicit FrameLayers(compute::Backend& backend) : backend_(backend) {}
 
   /// Makes room for `cells` cells. This and all that follows throws DeviceError.
   void fit(std::size_t cells) { backend_.fit(staged_, cells); }
   /// Sends value(cell) of each of the terrain's cells to a layer.
   template <typename Value>
-  void scatter(const FrameLayer& layer, const WindFrame& frame, const Value& value) {
+  void scatter(const FrameLayer& layer, const forcing::WindFrame& frame, const Value& value) {
     backend_.send_each(staged_, value);
     move(layer::Kernels::scatter, layer, frame);
   }
   /// A layer in the terrain's order.
-  std::vector<std::int32_t> gather(const FrameLayer& layer, const WindFrame& frame) {
+  std::vector<std::int32_t> gather(const FrameLayer& layer, const forcing::WindFrame& frame) {
     move(layer::Kernels::gather, layer, frame);
     return backend_.fetch(staged_.data(), staged_.size());
   }
   /// Adds a layer to numbers in the terrain's order.
-  void add_to(Grid<std::int32_t>& sums, const FrameLayer& layer, const WindFrame& frame) {
+  void add_to(Grid<std::int32_t>& sums, const FrameLayer& layer, const forcing::WindFrame& frame) {
     const std::vector<std::int32_t> numbers = gather(layer, frame);
     for (std::size_t cell = 0; cell < numbers.size(); ++cell) sums[cell] += numbers[cell];
   }
   /// Lays layers out for a wind from another side.
-  void turn(const std::vector<const FrameLayer*>& layers, const WindFrame& from, const WindFrame& to) {
+  void turn(const std::vector<const FrameLayer*>& layers, const forcing::WindFrame& from,
+            const forcing::WindFrame& to) {
     for (const FrameLayer* layer : layers) {
       move(layer::Kernels::gather, *layer, from);
       move(layer::Kernels::scatter, *layer, to);
@@ -48,13 +49,13 @@ class FrameLayers {
   const FrameLayer& staged() const { return staged_; }
 
  private:
-  void move(const KernelOf<layer::Plan>& kernel, const FrameLayer& layer, const WindFrame& frame) {
+  void move(const compute::KernelOf<layer::Plan>& kernel, const FrameLayer& layer, const forcing::WindFrame& frame) {
     const auto cells = static_cast<std::int32_t>(staged_.size());
     backend_.launch(kernel, cells, layer::Plan{terrain_order(frame), cells, staged_.data(), layer.data()});
   }
 
-  Backend& backend_;
+  compute::Backend& backend_;
   FrameLayer staged_;
 };
 
-}  // namespace erg
+}  // namespace erg::kernels

@@ -1,10 +1,10 @@
 #include "kernels/layer_kernels.h"
 
-namespace erg::layer {
+namespace erg::kernels::layer {
 
 #define ERG_KERNEL(family, name) \
-  constinit const KernelOf<Plan> Kernels::name = make_kernel<Plan, family::name>(#family "_" #name);
+  constinit const compute::KernelOf<Plan> Kernels::name = compute::make_kernel<Plan, family::name>(#family "_" #name);
 #include "kernels/layer_kernels.def"
 #undef ERG_KERNEL
 
-}  // namespace erg::layer
+}  // namespace erg::kernels::layer

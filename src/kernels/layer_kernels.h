@@ -6,7 +6,7 @@
 #include "compute/kernel.h"
 #include "kernels/terrain_order.h"
 
-namespace erg::layer {
+namespace erg::kernels::layer {
 
 struct Plan {
   TerrainOrder order;
@@ -16,19 +16,19 @@ struct Plan {
 };
 
 struct Kernels {
-#define ERG_KERNEL(family, name) static const KernelOf<Plan> name;
+#define ERG_KERNEL(family, name) static const compute::KernelOf<Plan> name;
 #include "kernels/layer_kernels.def"
 #undef ERG_KERNEL
 };
 
 /// From the terrain's order into the frame's.
-ERG_ON_DEVICE void scatter(const Plan& plan, Items items) {
+ERG_ON_DEVICE void scatter(const Plan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.cells) plan.layer[cell] = plan.staged[plan.order.place(cell)];
 }
 
 /// The same way back.
-ERG_ON_DEVICE void gather(const Plan& plan, Items items) {
+ERG_ON_DEVICE void gather(const Plan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.cells) plan.staged[plan.order.place(cell)] = plan.layer[cell];
 }
 
-}  // namespace erg::layer
+}  // namespace erg::kernels::layer

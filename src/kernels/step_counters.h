@@ -3,9 +3,9 @@
 
 #include "compute/kernel.h"
 
-namespace erg {
+namespace erg::kernels {
 
 enum StepCounter : int { counted_polls, counted_lifts, counted_rows, counted_in, counted_out, step_counters };
-using StepCounters = Counters<step_counters>;
+using StepCounters = compute::Counters<step_counters>;
 
-}  // namespace erg
+}  // namespace erg::kernels

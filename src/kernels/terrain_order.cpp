@@ -2,8 +2,10 @@
 
 #include "forcing/wind_frame.h"
 
-namespace erg {
+namespace erg::kernels {
 
-TerrainOrder terrain_order(const WindFrame& frame) { return {frame.width, frame.origin, frame.step_u, frame.step_v}; }
+TerrainOrder terrain_order(const forcing::WindFrame& frame) {
+  return {frame.width, frame.origin, frame.step_u, frame.step_v};
+}
 
-}  // namespace erg
+}  // namespace erg::kernels

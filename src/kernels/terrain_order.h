@@ -5,10 +5,9 @@
 #include <cstdint>
 
 #include "core/cell_rule.h"
+#include "forcing/wind_frame.h"
 
-namespace erg {
-
-struct WindFrame;
+namespace erg::kernels {
 
 struct TerrainOrder {
   int width = 0;
@@ -22,6 +21,6 @@ struct TerrainOrder {
   }
 };
 
-TerrainOrder terrain_order(const WindFrame& frame);
+TerrainOrder terrain_order(const forcing::WindFrame& frame);
 
-}  // namespace erg
+}  // namespace erg::kernels

@@ -10,7 +10,7 @@
 #include "models/slab/werner.h"
 #include "models/snow/snow_sintering.h"
 
-namespace erg {
+namespace erg::models {
 
 namespace {
 
@@ -43,4 +43,4 @@ const ModelType& find_model(const std::string& key) {
   throw InputError("model", "unknown model \"" + key + "\"", suggestion(key, keys));
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -10,32 +10,44 @@
 
 #include "compute/executor.h"
 #include "core/binding.h"
-#include "core/grain_path.h"
 #include "core/material.h"
 #include "core/parameters.h"
 #include "core/random.h"
 #include "core/terrain.h"
+#include "core/trajectory.h"
 #include "forcing/wind_schedule.h"
-#include "models/model_start.h"
+#include "models/model_defaults.h"
 #include "models/step_report.h"
 
-namespace erg {
+namespace erg::models {
+
+/// A scene on which the speed of a model is measured (`erg bench`).
+struct BenchScene {
+  std::string name = {};
+  int steps = 0;                           ///< until its forms stand
+  bool oblique = false;                    ///< under a wind that is turned from the grid
+  std::vector<std::string> settings = {};  ///< what is changed of the model's own start, as `--set` takes it
+};
 
 /// What a model is, for people.
 struct ModelInfo {
   std::string key = {};                ///< name in configs and on the command line
   std::string title = {};              ///< "Momiji et al. 2000"
   std::string citation = {};           ///< the publication
-  std::string makes = {};              ///< what it makes
-  std::string leaves_out = {};         ///< what it does not model
+  std::string produces = {};           ///< what it makes
+  std::string limitations = {};        ///< what it does not model
   std::string step = {};               ///< what one time step means
   std::string strength_label = {};     ///< what the wind's strength is: "hop length, cells"
   Material material = Material::sand;  ///< what it moves
-  ModelStart start = {};               ///< the defaults of a config of this model
+  ModelDefaults start = {};            ///< the defaults of a config of this model
   /// Keys of the channels that it uses besides the wind (wind/channels.h). Others are not shown, and refused in a
   /// config.
   std::vector<std::string> channels = {};
   std::vector<std::string> painted = {};  ///< keys of the fields that people may paint
+  bool moves_grains = false;              ///< of which trajectories can be kept (Model::keep_trajectories)
+  /// The first is the plain one, which the others are set beside.
+  std::vector<BenchScene> bench_scenes = {{.name = "dunes", .steps = 20},
+                                          {.name = "oblique wind", .steps = 20, .oblique = true}};
 };
 
 /// What one time step stands for in the world.
@@ -46,14 +58,14 @@ struct StepScale {
 };
 
 /// What the beginning of a run may need besides the terrain.
-struct Beginning {
+struct InitContext {
   std::uint64_t seed = 0;
-  Forcing weather = {};                  ///< of the first step
+  forcing::Forcing weather = {};         ///< of the first step
   const Grid<float>* picture = nullptr;  ///< of the model's own path parameter: 0 black to 1 white, on the grid
 };
 
 /// A number that a model tells about itself, besides what every StepReport says.
-struct Reading {
+struct Diagnostic {
   std::string key;    ///< name in `--stats`
   std::string label;  ///< name for people
   std::string unit;
@@ -66,7 +78,7 @@ class Model {
   virtual ~Model() = default;
 
   /// Called before `begin`. What the argument points to lives until `begin` is over.
-  virtual void prepare(const Beginning&) {}
+  virtual void prepare(const InitContext&) {}
 
   /// Height of one quantum in m.
   virtual double quantum() const = 0;
@@ -76,17 +88,17 @@ class Model {
   /// People have edited the terrain: brings up to date the fields that follow from what they did.
   virtual void edited(Terrain&) {}
   /// One time step.
-  virtual StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) = 0;
+  virtual StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) = 0;
   /// The fall of the wind shadow in quanta a cell, for pictures and numbers.
   virtual double shadow_fall(double cell_size) const = 0;
 
   /// Numbers of the model's own, of the last step unless their label says otherwise.
-  virtual std::vector<Reading> readings() const { return {}; }
+  virtual std::vector<Diagnostic> diagnostics() const { return {}; }
   /// From the next step on keeps the trajectories of about `count` of its grains; a model that moves no single grains
   /// has none.
-  virtual void keep_paths(int count) { static_cast<void>(count); }
+  virtual void keep_trajectories(int count) { static_cast<void>(count); }
   /// The ways kept in the last step. On a torus a way that crosses an edge goes on as another, so that no line jumps.
-  virtual std::vector<GrainPath> paths() const { return {}; }
+  virtual std::vector<Trajectory> trajectories() const { return {}; }
 };
 
 /// A kind of model: what the catalogue lists.
@@ -146,4 +158,4 @@ void add_model(ModelType model);
 /// The model with this key; throws InputError with the nearest key.
 const ModelType& find_model(const std::string& key);
 
-}  // namespace erg
+}  // namespace erg::models

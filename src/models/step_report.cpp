@@ -1,6 +1,6 @@
 #include "models/step_report.h"
 
-namespace erg {
+namespace erg::models {
 
 StepReport& StepReport::operator+=(const StepReport& other) {
   polls += other.polls;
@@ -15,4 +15,4 @@ StepReport& StepReport::operator+=(const StepReport& other) {
   return *this;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace erg {
+namespace erg::models {
 
 /// What one time step did, in counts, or several one after the other.
 struct StepReport {
@@ -20,4 +20,4 @@ struct StepReport {
   StepReport& operator+=(const StepReport& other);
 };
 
-}  // namespace erg
+}  // namespace erg::models

@@ -32,7 +32,8 @@ class GlContext {
 /// True when a driver of this name draws on the processor.
 bool draws_in_software(std::string_view renderer);
 
-/// Whether this program was built with OSMesa, which Mesa has had until 25.1. Without it EGL draws everything.
+/// Whether OSMesa can be had: this program was built with it, which Mesa has had until 25.1, and it is installed. It is
+/// loaded to find out. Without it EGL draws everything.
 bool has_osmesa();
 /// Mesa's off-screen rasteriser. Throws InputError that says what to install.
 std::unique_ptr<GlContext> make_osmesa_context();

@@ -125,7 +125,7 @@ void ScenePainter::paint(const PaintRequest& request) {
   paint_terrain(request, air);
   if (copies_of(request) == 0) paint_walls(request, air);
   if (request.look.is_material() && request.look.tufts) paint_tufts(request, air);
-  if (!request.view.paths.empty()) paint_paths(request, air);
+  if (!request.view.trajectories.empty()) paint_paths(request, air);
   if (!request.look.transparent) paint_background(request, air);
   gl11().Disable(GL_DEPTH_TEST);
   glUseProgram(0);
@@ -302,7 +302,7 @@ void ScenePainter::paint_paths(const PaintRequest& request, const Air& air) {
   glBindBuffer(GL_ARRAY_BUFFER, line_buffer_.id());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-  for (const GrainPath& path : request.view.paths) {
+  for (const Trajectory& path : request.view.trajectories) {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(path.size() * sizeof(path[0])), path.data(), GL_STREAM_DRAW);
     gl11().DrawArrays(GL_LINE_STRIP, 0, static_cast<GLsizei>(path.size()));
   }

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/grain_path.h"
 #include "core/material.h"
 #include "core/terrain.h"
+#include "core/trajectory.h"
 
 namespace erg::render {
 
@@ -18,7 +18,7 @@ struct TerrainView {
   std::vector<const Field*> fields;    ///< more fields besides the terrain's own: wind shadow, flux, age
   std::optional<double> wind;          ///< degrees: bearing of the wind, where it blows from
   Material material = Material::sand;  ///< of the mobile layer
-  std::vector<GrainPath> paths;
+  std::vector<Trajectory> trajectories;
   /// Changes whenever anything here changes, so that an unchanged view costs nothing; 0: unknown, look at all of it.
   std::uint64_t version = 0;
 

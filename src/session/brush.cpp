@@ -9,6 +9,9 @@
 #include "models/slab/terrain_heights.h"
 
 namespace erg::session {
+
+using models::highest_terrain;
+
 namespace {
 
 /// A cell that the stamp touches, and how much of its amount that cell gets, 0 to 1.
@@ -105,7 +108,7 @@ bool apply_to_ground(Terrain& terrain, const BrushStamp& stamp, const std::vecto
   };
   write(wanted);
   try {
-    check_height(terrain);
+    models::check_height(terrain);
   } catch (const InputError&) {
     write(old);
     throw;

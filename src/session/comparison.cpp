@@ -7,6 +7,8 @@
 
 namespace erg::session {
 
+using forcing::Channel;
+using forcing::uses_channel;
 using sim::Config;
 
 namespace {
@@ -54,11 +56,11 @@ std::vector<SetupDifference> Comparison::differences() const {
     if (!all_same(difference.values)) found.push_back(std::move(difference));
   };
   add("model", "Model", [](const Setup& setup) { return setup.model().info.title; });
-  for (const Channel& channel : channels()) {
+  for (const Channel& channel : forcing::channels()) {
     if (channel.over_run == nullptr) continue;  // all runs have the same seasons
     add(channel.declared.key, channel.declared.label, [&channel](const Setup& setup) -> std::string {
       if (!uses_channel(setup.model().info.channels, channel)) return "-";
-      const Course& course = setup.config().weather.*channel.over_run;
+      const forcing::Course& course = setup.config().weather.*channel.over_run;
       return value_text(course.first) + " to " + value_text(course.last) + " " + unit_text(channel.declared.unit);
     });
   }

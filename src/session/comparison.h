@@ -40,7 +40,7 @@ class Comparison {
   void set_only(Setup setup);
 
   /// Whether any of the models, which share one wind, uses this channel.
-  bool uses(const Channel& channel) const;
+  bool uses(const forcing::Channel& channel) const;
   /// The wind of all.
   WindEditor wind() { return setups_.front().wind(); }
 

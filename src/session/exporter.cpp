@@ -21,6 +21,7 @@ namespace erg::session {
 
 using io::Provenance;
 using io::WriteProgress;
+using models::find_model;
 
 namespace {
 
@@ -35,7 +36,7 @@ void write_map(const fs::path& path, const RunSnapshot& run, const Provenance& s
 
 void write_volume(const fs::path& path, const RunSnapshot& run, const Provenance& source) {
   const double fall = find_model(run.config->model).make(run.config->parameters)->shadow_fall(run.terrain->cell_size());
-  const Grid<std::uint8_t> shadow = shadow_map(*run.terrain, run.last_wind.bearing, fall);
+  const Grid<std::uint8_t> shadow = forcing::shadow_map(*run.terrain, run.last_wind.bearing, fall);
   io::write_vti(path, *run.terrain, &shadow, source, {run.flux.get(), run.flux ? std::size_t{1} : 0});
 }
 

@@ -61,7 +61,7 @@ std::string RunGroup::why_finished() const { return empty() ? "" : runs_.front()
 void RunGroup::take(std::vector<std::unique_ptr<Simulation>> runs) {
   Moment beginning = moment_of(runs);  // may not find the memory: then nothing has changed yet
   runs_ = std::move(runs);
-  beginning_ = std::move(beginning);
+  context_ = std::move(beginning);
   worked_ = {};
   // What blew before a checkpoint was written is not in it; its config says what was set then.
   blown_before_ = WindRecord::of(runs_.front()->config().wind, runs_.front()->step_count());
@@ -100,7 +100,7 @@ void RunGroup::reset() {
   if (empty()) return;
   remember(0, 0);
   redo_.clear();
-  go_to(beginning_, blown_before_);
+  go_to(context_, blown_before_);
   worked_ = {};
 }
 

@@ -81,7 +81,7 @@ class RunGroup {
   void take(std::vector<std::unique_ptr<sim::Simulation>> runs);
 
   std::vector<std::unique_ptr<sim::Simulation>> runs_;
-  Moment beginning_;
+  Moment context_;
   WindRecord blown_before_;  ///< before that
   Duration worked_{};
   WindRecord blown_;

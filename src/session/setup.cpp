@@ -10,6 +10,7 @@
 
 namespace erg::session {
 
+using models::ModelType;
 using sim::Config;
 using sim::config_groups;
 using sim::ConfigGroup;
@@ -44,7 +45,7 @@ std::string SetupRow::tooltip() const {
 
 std::vector<const ModelType*> Setup::models_of(Material material) {
   std::vector<const ModelType*> found;
-  for (const ModelType& type : catalogue()) {
+  for (const ModelType& type : models::catalogue()) {
     if (type.info.material == material) found.push_back(&type);
   }
   return found;
@@ -58,7 +59,7 @@ void Setup::choose_material(Material material) {
   if (!models.empty()) choose_model(models.front()->info.key);
 }
 
-const ModelType& Setup::model() const { return find_model(config_.model); }
+const ModelType& Setup::model() const { return models::find_model(config_.model); }
 
 void Setup::choose_model(const std::string& key) {
   sim::change_model(config_, key);
@@ -142,9 +143,9 @@ std::vector<Mistake> Setup::mistakes() const {
   return found;
 }
 
-std::optional<Mistake> Setup::set_course(const Channel& channel, const Course& course) {
+std::optional<Mistake> Setup::set_course(const forcing::Channel& channel, const forcing::Course& course) {
   try {
-    row_of(course, channel);
+    forcing::row_of(course, channel);
   } catch (const InputError& error) {
     Mistake mistake = error.mistakes().front();
     mistake.place = channel.declared.key;

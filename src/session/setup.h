@@ -45,11 +45,11 @@ class Setup {
   }
 
   /// The models that move this material, in the catalogue's order.
-  static std::vector<const ModelType*> models_of(Material material);
+  static std::vector<const models::ModelType*> models_of(Material material);
   Material material() const;
   /// Changes to the first model of the material, unless it is that material already.
   void choose_material(Material material);
-  const ModelType& model() const;
+  const models::ModelType& model() const;
   /// A title and a description speak of the model that they were given for: under another one there are none, until it
   /// is chosen again. Throws InputError for an unknown key.
   void choose_model(const std::string& key);
@@ -76,7 +76,7 @@ class Setup {
   WindEditor wind() { return WindEditor(config_.wind, sim::starting_wind(model().info.start)); }
 
   /// A channel's course over the `run.steps` steps of the run. Says what is wrong, and then nothing has changed.
-  std::optional<Mistake> set_course(const Channel& channel, const Course& course);
+  std::optional<Mistake> set_course(const forcing::Channel& channel, const forcing::Course& course);
 
   /// Whether CREATE draws a new seed each time.
   bool fresh_seed() const { return fresh_seed_; }

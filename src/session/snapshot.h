@@ -42,8 +42,8 @@ struct RunSnapshot {
   std::shared_ptr<const Field> flux;
   std::shared_ptr<const Series> series;  ///< the run's numbers over time
   std::int64_t step = 0;                 ///< steps done
-  Forcing last_wind;                     ///< of the last step done
-  StepReport totals;                     ///< since step 0
+  forcing::Forcing last_wind;            ///< of the last step done
+  models::StepReport totals;             ///< since step 0
   std::int64_t mass_now = 0;             ///< quanta on the ground, counted
   std::string executor;                  ///< "cpu"
   int threads = 1;

@@ -6,6 +6,10 @@
 #include "core/units.h"
 
 namespace erg::session {
+
+using forcing::WindInterval;
+using forcing::WindSchedule;
+
 namespace {
 
 /// The summed strength of a season's steps [first, last); exact up to `most_samples` steps, sampled evenly beyond.
@@ -30,8 +34,9 @@ std::size_t sector_of(double bearing, std::size_t sectors) {
 void add_part(const WindSchedule& schedule, std::int64_t until, double weight, std::vector<double>& sums) {
   for (const WindInterval& season : schedule.intervals) {
     const std::int64_t last = std::clamp<std::int64_t>(until, 0, season.steps);
-    const double part = weight * summed_strength(season, 0, last) / draws_a_round;
-    for (const double swing : wind_swings(season.spread)) sums[sector_of(season.bearing + swing, sums.size())] += part;
+    const double part = weight * summed_strength(season, 0, last) / forcing::draws_a_round;
+    for (const double swing : forcing::wind_swings(season.spread))
+      sums[sector_of(season.bearing + swing, sums.size())] += part;
     until -= last;
   }
 }
@@ -78,7 +83,7 @@ WindRose wind_rose(const WindSchedule& schedule, std::int64_t now, std::int64_t 
   return rose;
 }
 
-void WindRecord::add(const Forcing& wind) { sums[sector_of(wind.bearing, sectors)] += wind.strength; }
+void WindRecord::add(const forcing::Forcing& wind) { sums[sector_of(wind.bearing, sectors)] += wind.strength; }
 
 WindRecord WindRecord::of(const WindSchedule& schedule, std::int64_t steps) {
   WindRecord record;

@@ -23,7 +23,7 @@ struct WindCycle {
   std::size_t season_at(std::int64_t step) const;
 };
 /// The cycle of a schedule at `samples` steps, two at least.
-WindCycle sample_cycle(const WindSchedule& schedule, std::size_t samples);
+WindCycle sample_cycle(const forcing::WindSchedule& schedule, std::size_t samples);
 
 /// How much wind comes from where: the sum of strengths over steps, in equal sectors; sector 0 is centred on north. A
 /// season with a spread counts by the mean of its swings.
@@ -32,7 +32,7 @@ struct WindRose {
   std::vector<double> to_blow;  ///< from now to the end
 };
 /// `now` steps done out of `end`. Long runs are summed by whole cycles. At least 4 `sectors`.
-WindRose wind_rose(const WindSchedule& schedule, std::int64_t now, std::int64_t end, std::size_t sectors = 16);
+WindRose wind_rose(const forcing::WindSchedule& schedule, std::int64_t now, std::int64_t end, std::size_t sectors = 16);
 
 /// The wind as it blew, step after step: the sum of strengths by where it came from.
 struct WindRecord {
@@ -40,9 +40,9 @@ struct WindRecord {
   std::array<double, sectors> sums{};
 
   /// One step more.
-  void add(const Forcing& wind);
+  void add(const forcing::Forcing& wind);
   /// What a schedule says of its first steps, for runs that were not watched then.
-  static WindRecord of(const WindSchedule& schedule, std::int64_t steps);
+  static WindRecord of(const forcing::WindSchedule& schedule, std::int64_t steps);
   bool operator==(const WindRecord&) const = default;
 };
 

@@ -6,6 +6,9 @@
 #include "forcing/bearing.h"
 
 namespace erg::session {
+
+using forcing::WindInterval;
+
 namespace {
 
 using Place = std::ptrdiff_t;
@@ -47,7 +50,7 @@ void WindEditor::reset() { *schedule_ = standard_; }
 
 std::optional<Mistake> WindEditor::set(std::size_t index, std::string_view key, const ParameterValue& value) {
   try {
-    set_in_interval(schedule_->intervals.at(index), key, value);
+    forcing::set_in_interval(schedule_->intervals.at(index), key, value);
   } catch (const InputError& error) {
     Mistake mistake = error.mistakes().front();
     mistake.place = season_place(index);
@@ -57,12 +60,12 @@ std::optional<Mistake> WindEditor::set(std::size_t index, std::string_view key, 
 }
 
 ParameterValue WindEditor::value(std::size_t index, std::string_view key) const {
-  return row_of(season(index), interval_columns()).value(key);
+  return forcing::row_of(season(index), forcing::interval_columns()).value(key);
 }
 
 std::optional<Mistake> WindEditor::set_bearing(std::size_t index, std::string_view text) {
   try {
-    schedule_->intervals.at(index).bearing = parse_bearing(text, season_place(index));
+    schedule_->intervals.at(index).bearing = forcing::parse_bearing(text, season_place(index));
   } catch (const InputError& error) {
     return error.mistakes().front();
   }

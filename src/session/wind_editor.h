@@ -19,21 +19,21 @@ namespace erg::session {
 class WindEditor {
  public:
   /// `standard`: the wind that it goes back to, of one season.
-  explicit WindEditor(WindSchedule& schedule, WindSchedule standard = {})
+  explicit WindEditor(forcing::WindSchedule& schedule, forcing::WindSchedule standard = {})
       : schedule_(&schedule), standard_(std::move(standard)) {}
 
-  const WindSchedule& schedule() const { return *schedule_; }
+  const forcing::WindSchedule& schedule() const { return *schedule_; }
   std::size_t seasons() const { return schedule_->intervals.size(); }
-  const WindInterval& season(std::size_t index) const { return schedule_->intervals.at(index); }
+  const forcing::WindInterval& season(std::size_t index) const { return schedule_->intervals.at(index); }
   /// A season at its defaults.
-  const WindInterval& standard() const { return standard_.intervals.front(); }
+  const forcing::WindInterval& standard() const { return standard_.intervals.front(); }
 
   /// A copy of the season right behind it; returns the copy's index.
   std::size_t duplicate(std::size_t index);
   /// A season at its defaults at the end; returns its index.
   std::size_t add();
   /// Other seasons in their place; none: nothing changes.
-  void replace(std::vector<WindInterval> seasons);
+  void replace(std::vector<forcing::WindInterval> seasons);
   /// Removes it; the last one that is left stays. False then.
   bool remove(std::size_t index);
   /// One place up (earlier) or down (later). False at the end of the list.
@@ -43,7 +43,7 @@ class WindEditor {
   void reset();
 
   /// The declarations of a season's values; their defaults are those of `standard`.
-  Declarations columns() const { return interval_columns(standard()); }
+  Declarations columns() const { return forcing::interval_columns(standard()); }
   /// A season's value of one of them, but of the ends of its strength.
   ParameterValue value(std::size_t index, std::string_view key) const;
 
@@ -62,8 +62,8 @@ class WindEditor {
   std::optional<Mistake> set_curve(std::size_t index, const BezierCurve& curve) { return set(index, "curve", curve); }
 
  private:
-  WindSchedule* schedule_;
-  WindSchedule standard_;
+  forcing::WindSchedule* schedule_;
+  forcing::WindSchedule standard_;
 };
 
 }  // namespace erg::session

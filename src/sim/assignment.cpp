@@ -9,6 +9,14 @@
 #include "sim/config.h"
 
 namespace erg::sim {
+
+using forcing::Channel;
+using forcing::channels;
+using forcing::Course;
+using forcing::find_channel;
+using forcing::set_in_interval;
+using forcing::WindInterval;
+
 namespace {
 
 /// "seasons[2].bearing" in its parts.
@@ -66,7 +74,9 @@ class Assignment {
   }
 
  private:
-  bool uses(const Channel& channel) const { return uses_channel(find_model(config_.model).info.channels, channel); }
+  bool uses(const Channel& channel) const {
+    return forcing::uses_channel(models::find_model(config_.model).info.channels, channel);
+  }
 
   void check_used(const Channel& channel) const {
     if (uses(channel)) return;
@@ -79,7 +89,7 @@ class Assignment {
   /// "grid.nx" ... of every value that can be set in a group.
   std::vector<std::string> full_keys() const {
     std::vector<std::string> keys;
-    for (const Parameter& column : constant_wind_columns()) keys.push_back("wind." + column.key);
+    for (const Parameter& column : forcing::constant_wind_columns()) keys.push_back("wind." + column.key);
     for (const Channel& channel : channels()) {
       if (channel.over_run == nullptr || !uses(channel)) continue;
       for (const char* end : {".first", ".last"}) keys.push_back(channel.declared.key + end);
@@ -147,14 +157,14 @@ class Assignment {
   }
 
   void set_in_interval(WindInterval& season, const std::string& key) {
-    const Declarations columns = interval_columns();
+    const Declarations columns = forcing::interval_columns();
     const Parameter* column = columns.find(key);
     if (column == nullptr) {
       throw InputError(place_, "unknown key " + quote(key), suggestion(key, keys_of(columns)));
     }
     const Channel* channel = find_channel(key);
     if (channel != nullptr) check_used(*channel);
-    erg::set_in_interval(season, key, parse_value(*column, value_, place_));
+    erg::forcing::set_in_interval(season, key, parse_value(*column, value_, place_));
   }
 
   void set_in_row(const RowKey& key) {

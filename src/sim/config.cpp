@@ -10,6 +10,12 @@
 #include "sim/make_executor.h"
 
 namespace erg::sim {
+
+using forcing::WindInterval;
+using forcing::WindSchedule;
+using models::ModelDefaults;
+using models::ModelType;
+
 namespace {
 
 constexpr const char* default_model = "momiji";
@@ -25,7 +31,7 @@ Parameters all_at_start(Parameters parameters) {
 
 }  // namespace
 
-Parameters grid_parameters(const ModelStart& start) {
+Parameters grid_parameters(const ModelDefaults& start) {
   return all_at_start({
       {.key = "nx",
        .label = "Cells east",
@@ -66,7 +72,7 @@ Parameters grid_parameters(const ModelStart& start) {
   });
 }
 
-Parameters scene_parameters(const ModelStart& start) {
+Parameters scene_parameters(const ModelDefaults& start) {
   return all_at_start({
       {.key = "kind",
        .label = "Scene",
@@ -163,7 +169,7 @@ const Binding<RunValues>& run_binding() {
         .label = "Steps",
         .default_value = 1000,
         .minimum = 0,
-        .maximum = most_steps,
+        .maximum = forcing::most_steps,
         .meaning = "Time steps to run."}},
       {&RunValues::seed,
        {.key = "seed",
@@ -206,7 +212,7 @@ Mistake not_asked_for(const std::string& key, const std::string& model_key) {
   return {"", quote(model_key) + " asks for no " + key, "leave it out, or take a model that does"};
 }
 
-WindSchedule starting_wind(const ModelStart& start) {
+WindSchedule starting_wind(const ModelDefaults& start) {
   WindSchedule wind = WindSchedule::constant(WindInterval{}.bearing, start.strength);
   wind.intervals.front().spread = start.spread;
   return wind;
@@ -220,7 +226,7 @@ struct GroupDeclarations {
   Declarations scene;
 };
 
-const GroupDeclarations& group_declarations(const ModelStart& start) {
+const GroupDeclarations& group_declarations(const ModelDefaults& start) {
   static std::mutex one_at_a_time;
   static std::map<std::pair<double, double>, GroupDeclarations> made;
   const std::lock_guard<std::mutex> lock(one_at_a_time);
@@ -233,7 +239,7 @@ const GroupDeclarations& group_declarations(const ModelStart& start) {
 
 Config::Config() : Config(default_model) {}
 
-Config::Config(const std::string& model_key) : Config(find_model(model_key)) {}
+Config::Config(const std::string& model_key) : Config(models::find_model(model_key)) {}
 
 Config::Config(const ModelType& type)
     : model(type.info.key),
@@ -251,7 +257,7 @@ const std::vector<ConfigGroup>& config_groups() {
 
 std::vector<std::string> model_keys() {
   std::vector<std::string> keys;
-  for (const ModelType& type : catalogue()) keys.push_back(type.info.key);
+  for (const ModelType& type : models::catalogue()) keys.push_back(type.info.key);
   return keys;
 }
 

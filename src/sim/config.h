@@ -17,9 +17,9 @@ inline constexpr int config_version = 1;
 
 /// Declarations of the groups that are not a model's: their values stand under these keys in a config. Cell size and
 /// sand have the defaults of the model that the config is of.
-Parameters grid_parameters(const ModelStart& start = {});   ///< "grid": nx, ny, cell_size, boundary, inflow
-Parameters scene_parameters(const ModelStart& start = {});  ///< "scene": kind and what each kind needs
-Parameters run_parameters();                                ///< "run": steps, seed, executor, threads, sweeps
+Parameters grid_parameters(const models::ModelDefaults& start = {});   ///< "grid": nx, ny, cell_size, boundary, inflow
+Parameters scene_parameters(const models::ModelDefaults& start = {});  ///< "scene": kind and what each kind needs
+Parameters run_parameters();  ///< "run": steps, seed, executor, threads, sweeps
 
 /// The values of the group "run", for what works with them step by step: their declarations say what they mean.
 struct RunValues {
@@ -32,7 +32,7 @@ struct RunValues {
 const Binding<RunValues>& run_binding();
 
 /// The wind that a config has where it says nothing: one season, with the model's strength and spread.
-WindSchedule starting_wind(const ModelStart& start);
+forcing::WindSchedule starting_wind(const models::ModelDefaults& start);
 
 /// One run, whole.
 struct Config {
@@ -40,7 +40,7 @@ struct Config {
   Config();
   /// The same for a model of the catalogue; throws InputError for an unknown key.
   explicit Config(const std::string& model_key);
-  explicit Config(const ModelType& type);
+  explicit Config(const models::ModelType& type);
 
   std::string title;
   std::string description;
@@ -49,8 +49,8 @@ struct Config {
   ParameterValues scene;
   ParameterValues run;
   ParameterValues parameters;  ///< the model's own
-  WindSchedule wind;
-  Weather weather;  ///< channels over the run, for models that use them
+  forcing::WindSchedule wind;
+  forcing::Weather weather;  ///< channels over the run, for models that use them
 
   bool operator==(const Config&) const = default;
 };

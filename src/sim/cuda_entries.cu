@@ -5,7 +5,11 @@
 namespace erg::sim {
 namespace {
 
-__device__ inline Items items_of_thread() {
+// Each family of kernels has a namespace of its own in one of these; the lists name it alone.
+using namespace kernels;
+using namespace models;
+
+__device__ inline compute::Items items_of_thread() {
   return {static_cast<std::int32_t>(blockIdx.x * blockDim.x + threadIdx.x),
           static_cast<std::int32_t>(gridDim.x * blockDim.x), INT32_MAX};
 }
@@ -17,7 +21,7 @@ __device__ inline Items items_of_thread() {
 
 }  // namespace
 
-const void* cuda_entry(const Kernel& kernel) {
+const void* cuda_entry(const compute::Kernel& kernel) {
 #define ERG_KERNEL(family, name) \
   if (&kernel == &family::Kernels::name) return reinterpret_cast<const void*>(family##_##name);
 #include <kernel_lists.inc>

@@ -6,6 +6,6 @@
 namespace erg::sim {
 
 /// The __global__ function of a kernel; null for one that no model lists, and where Erg was built without CUDA.
-const void* cuda_entry(const Kernel& kernel);
+const void* cuda_entry(const compute::Kernel& kernel);
 
 }  // namespace erg::sim

@@ -5,6 +5,12 @@
 #include "sim/cuda_entries.h"
 
 namespace erg::sim {
+
+using compute::Executor;
+using compute::ExecutorOptions;
+using cuda::cuda_api;
+using cuda::make_cuda_executor;
+
 namespace {
 
 /// Without a device it is `cpu`, which needs no notice where nobody asked for a device.

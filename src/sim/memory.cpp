@@ -9,6 +9,9 @@
 #include "process/allowance.h"
 
 namespace erg::sim {
+
+using models::find_model;
+
 namespace {
 
 /// What a run takes beside what grows with its grid: threads, tables, pictures.

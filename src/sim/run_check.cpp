@@ -8,6 +8,9 @@
 #include "models/model.h"
 
 namespace erg::sim {
+
+using forcing::row_of;
+
 namespace {
 
 /// What is wrong with a group's values as those that are declared here.
@@ -37,17 +40,17 @@ std::optional<Mistake> row_mistake(const std::string& place, const std::function
   return std::nullopt;
 }
 
-std::optional<Mistake> wind_mistake(const WindSchedule& wind) {
+std::optional<Mistake> wind_mistake(const forcing::WindSchedule& wind) {
   if (wind.intervals.empty()) return Mistake{"wind", "it has no season", "give at least one"};
-  const Declarations columns = interval_columns();
-  for (const WindInterval& season : wind.intervals) {
+  const Declarations columns = forcing::interval_columns();
+  for (const forcing::WindInterval& season : wind.intervals) {
     if (auto mistake = row_mistake("wind", [&] { row_of(season, columns); })) return mistake;
   }
   return std::nullopt;
 }
 
-std::optional<Mistake> weather_mistake(const Weather& weather) {
-  for (const Channel& channel : channels()) {
+std::optional<Mistake> weather_mistake(const forcing::Weather& weather) {
+  for (const forcing::Channel& channel : forcing::channels()) {
     if (channel.over_run == nullptr) continue;
     const auto make_row = [&] { row_of(weather.*channel.over_run, channel); };
     if (auto mistake = row_mistake(channel.declared.key, make_row)) return mistake;
@@ -124,7 +127,7 @@ std::optional<std::string> terrain_problem(const Config& config, double quantum,
   if (check_value(*config.grid.find("inflow"), terrain.inflow(), "")) return "its inflow is out of range";
   if (auto problem = height_problem(terrain)) return problem;
   if (fields_may_come && terrain.fields().empty()) return std::nullopt;
-  return field_problem(find_model(config.model).fields, terrain, grid);
+  return field_problem(models::find_model(config.model).fields, terrain, grid);
 }
 
 bool counts_in_range(const MassLedger& ledger) {
@@ -148,7 +151,7 @@ void check_state(const Config& config, double quantum, const RunState& state) {
   if (auto problem = ledger_problem(state.terrain)) {
     refuse("the terrain is not whole: " + *problem, "open its account anew (open_ledger)");
   }
-  const StepReport& totals = state.totals;
+  const models::StepReport& totals = state.totals;
   for (const std::int64_t count : {state.step, totals.polls, totals.lifts, totals.slabs_in, totals.slabs_out}) {
     if (count < 0 || count > largest_count) refuse("a count is out of range", "count from 0");
   }

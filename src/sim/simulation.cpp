@@ -8,6 +8,11 @@
 #include "sim/run_check.h"
 
 namespace erg::sim {
+
+using compute::ExecutorOptions;
+using forcing::Forcing;
+using models::StepReport;
+
 namespace {
 
 ExecutorOptions executor_options(const RunValues& run) {
@@ -55,7 +60,7 @@ void Simulation::begin_model(const HeightPicture* picture) {
 
 void Simulation::start() {
   check_config(config_);
-  type_ = &find_model(config_.model);
+  type_ = &models::find_model(config_.model);
   run_ = run_binding().read(config_.run);
   model_ = type_->make(config_.parameters);
   executor_ = make_executor(executor_options(run_));
@@ -67,7 +72,7 @@ Forcing Simulation::weather(std::int64_t step) const {
   Forcing now = config_.wind.at(step, run_.seed);
   const std::int64_t last = run_.steps - 1;
   const double past = last > 0 ? static_cast<double>(step) / static_cast<double>(last) : 0.0;
-  for (const Channel& channel : channels()) {
+  for (const forcing::Channel& channel : forcing::channels()) {
     if (channel.over_run != nullptr) now.*channel.now = (config_.weather.*channel.over_run).at(past);
   }
   return now;
@@ -90,9 +95,9 @@ StepReport Simulation::step() {
   return report;
 }
 
-void Simulation::keep_paths(int count) {
-  paths_wanted_ = count;
-  model_->keep_paths(count);
+void Simulation::keep_trajectories(int count) {
+  trajectories_wanted_ = count;
+  model_->keep_trajectories(count);
 }
 
 void Simulation::watch_flux(bool wanted) {
@@ -136,10 +141,10 @@ void Simulation::change(Config config) {
   if (needs_new_terrain(config_, config)) {
     throw InputError("", "this change needs a new terrain", "create the terrain anew");
   }
-  std::unique_ptr<Model> model = type_->make(config.parameters);
+  std::unique_ptr<models::Model> model = type_->make(config.parameters);
   // The executor stays unless it is what changes: threads and memory of its own take longer than a step.
   const ExecutorOptions options = executor_options(run_binding().read(config.run));
-  std::unique_ptr<Executor> other;
+  std::unique_ptr<compute::Executor> other;
   if (options != executor_options(run_)) other = make_executor(options);
   executor_->sync_to_host(state_.terrain);
   config_ = std::move(config);
@@ -150,7 +155,7 @@ void Simulation::change(Config config) {
     if (flux_) executor_->count_lifts(&flux_->counts());
   }
   begin_model(nullptr);
-  model_->keep_paths(paths_wanted_);
+  model_->keep_trajectories(trajectories_wanted_);
   wake();
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "compute/executor.h"
+#include "core/share_work.h"
 #include "core/terrain.h"
 #include "models/model.h"
 #include "sim/config.h"
@@ -17,7 +18,7 @@ namespace erg::sim {
 struct RunState {
   Terrain terrain;
   std::int64_t step = 0;
-  StepReport totals;
+  models::StepReport totals;
 };
 
 /// Whether a run cannot go on from `running` to `wanted` without a new terrain: another model, or another value of what
@@ -34,10 +35,11 @@ class Simulation {
   Simulation(Config config, RunState state);
 
   const Config& config() const { return config_; }
-  const ModelType& model_type() const { return *type_; }
-  const Model& model() const { return *model_; }
-  /// Keeps the trajectories of about so many grains of every step to come (Model::keep_paths), under other configs too.
-  void keep_paths(int count);
+  const models::ModelType& model_type() const { return *type_; }
+  const models::Model& model() const { return *model_; }
+  /// Keeps the trajectories of about so many grains of every step to come (Model::keep_trajectories), under other
+  /// configs too.
+  void keep_trajectories(int count);
   /// From the next step on counts how many quanta are lifted from each cell, for `flux`; false: no longer. Steps take
   /// somewhat longer; what they do does not change.
   void watch_flux(bool wanted);
@@ -46,15 +48,19 @@ class Simulation {
   /// Steps done.
   std::int64_t step_count() const { return state_.step; }
   /// The wind of the step to come.
-  Forcing wind() const { return weather(state_.step); }
+  forcing::Forcing wind() const { return weather(state_.step); }
   /// The wind of the last step done (of the first, before it).
-  Forcing last_wind() const;
-  Executor& executor() { return *executor_; }
-  const StepReport& totals() const { return state_.totals; }
+  forcing::Forcing last_wind() const;
+  compute::Executor& executor() { return *executor_; }
+  /// Shares work out to its threads, between steps; as long as the executor is this one.
+  ShareWork share_work() {
+    return [this](std::int64_t items, const PartOfWork& part) { executor_->parallel_for(items, part); };
+  }
+  const models::StepReport& totals() const { return state_.totals; }
   bool finished() const { return state_.totals.finished; }
 
   /// One time step; what it did. Does nothing when finished. Throws InputError after an edit that was not booked.
-  StepReport step();
+  models::StepReport step();
   /// The terrain, up to date.
   const Terrain& terrain();
   /// The terrain for editing (painting, events); book_edit, afterwards, books in the ledger what the edit added or
@@ -72,18 +78,18 @@ class Simulation {
  private:
   void start();
   void wake();
-  Forcing weather(std::int64_t step) const;
+  forcing::Forcing weather(std::int64_t step) const;
   void begin_model(const HeightPicture* picture);
   void check_edit() const;
 
   Config config_;
   RunValues run_;  // of the config
-  const ModelType* type_ = nullptr;
-  std::unique_ptr<Model> model_;
-  std::unique_ptr<Executor> executor_;
+  const models::ModelType* type_ = nullptr;
+  std::unique_ptr<models::Model> model_;
+  std::unique_ptr<compute::Executor> executor_;
   RunState state_;
   std::unique_ptr<FluxWatch> flux_;  // the executor counts there
-  int paths_wanted_ = 0;
+  int trajectories_wanted_ = 0;
   bool edited_ = false;  // since the last step or book_edit
 };
 

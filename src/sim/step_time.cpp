@@ -7,6 +7,11 @@
 #include "forcing/mean_wind.h"
 
 namespace erg::sim {
+
+using models::find_model;
+using models::ModelType;
+using models::StepScale;
+
 namespace {
 
 constexpr double seconds_an_hour = 3600;
@@ -36,7 +41,7 @@ std::string step_text(const StepScale& scale, Material material) {
 StepScale step_scale(const Config& config) {
   const ModelType& type = find_model(config.model);
   if (!type.step_scale) return {};
-  return type.step_scale(config.parameters, config.grid.real("cell_size"), mean_strength(config.wind));
+  return type.step_scale(config.parameters, config.grid.real("cell_size"), forcing::mean_strength(config.wind));
 }
 
 double days_after(const Config& config, std::int64_t steps) {

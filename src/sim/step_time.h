@@ -11,7 +11,7 @@ namespace erg::sim {
 
 /// What a step of this config stands for: by its model, cells and the mean strength of its wind over the cycle. All
 /// steps stand for the same time; in a season that is stronger than the mean, more sand moves in it.
-StepScale step_scale(const Config& config);
+models::StepScale step_scale(const Config& config);
 
 /// Days of the world after so many steps; not-a-number where steps have no time of their own.
 double days_after(const Config& config, std::int64_t steps);

@@ -120,7 +120,7 @@ TEST(Commands, BenchWritesARowForEachExecutor) {
     EXPECT_EQ(row.at("state_hash"), cpu_hash) << "one and two threads give the same bits";
   }
   EXPECT_EQ(cpu_rows, 2);
-  EXPECT_EQ(serial_rows, 4) << "straight wind, oblique wind, cover, obstacles";
+  EXPECT_EQ(serial_rows, 4) << "straight wind, swinging wind, oblique wind, obstacles";
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST(GivenFiles, AHeightmapThatErgWroteIsTheSameGroundAgain) {
   EXPECT_EQ(pixels(second), pixels(first));
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // their own memory would be counted
+#if !defined(ERG_SANITIZE_ADDRESS) && !defined(ERG_SANITIZE_THREAD)  // their own memory would be counted
 
 TEST(GivenFiles, WantOfMemoryIsNotToldAsADamagedPicture) {
   const ScratchFolder folder;

@@ -83,7 +83,7 @@ std::string failing_fsync(const ScratchFolder& folder) {
 }
 
 TEST(FileSystem, ThatCannotFlushIsWrittenToAndTold) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(ERG_SANITIZE_ADDRESS) || defined(ERG_SANITIZE_THREAD)
   GTEST_SKIP() << "a sanitizer wants to be loaded before the library that stands in";
 #endif
   const ScratchFolder folder;

@@ -1,4 +1,4 @@
-// Every output is tried before the first step; a run that fails later is saved; runs do not mix their tables.
+// Every output is tried before the first step; a run that fails later is saved; runs do not mix their files.
 #include <grp.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -202,6 +202,26 @@ TEST(FailsOnTheWay, WhereNothingCanBeSavedThatIsSaid) {
 
 // --- tables ---
 
+TEST(Outputs, OfTwoRunsAtOnceAreNotMixed) {
+  const ScratchFolder folder;
+  folder.write("small.json", small_config(endless));
+  folder.write("other.json", small_config(2));
+  const Words files{"--every", "1000000", "--format", "checkpoint", "--quiet"};
+  Program first(folder, with({"run", "small.json"}, files));
+  const std::string held = folder.file("out/.small.part-erg");
+  for (int i = 0; i < 3000 && !fs::exists(held); ++i) std::this_thread::sleep_for(10ms);
+  std::this_thread::sleep_for(50ms);
+  const Words second = with({"run", "small.json", "--steps", "2"}, files);
+  expect_refused(folder, second, "out/small: another run is writing files of this name");
+  EXPECT_EQ(run_erg(folder, with({"run", "other.json"}, files)).exit_code, 0) << "which has a name of its own";
+  first.send(SIGINT);
+  EXPECT_EQ(first.wait().exit_code, 1);
+  EXPECT_FALSE(fs::exists(held));
+  // One that was killed left its file.
+  folder.write("out/.small.part-erg", "");
+  EXPECT_EQ(run_erg(folder, second).exit_code, 0);
+}
+
 TEST(Tables, OfTwoRunsAtOnceAreNotMixed) {
   const ScratchFolder folder;
   folder.write("small.json", small_config(endless));
@@ -209,7 +229,7 @@ TEST(Tables, OfTwoRunsAtOnceAreNotMixed) {
   Program first(folder, with(run, {"--seed", "1"}));
   for (int i = 0; i < 3000 && !fs::exists(folder.file("out/small.csv")); ++i) std::this_thread::sleep_for(10ms);
   std::this_thread::sleep_for(50ms);
-  expect_refused(folder, with(run, {"--seed", "2"}), "out/small.csv: another run is writing this file");
+  expect_refused(folder, with(run, {"--seed", "2"}), "out/small: another run is writing files of this name");
   first.send(SIGINT);
   EXPECT_EQ(first.wait().exit_code, 1);
   std::istringstream lines(read_bytes(folder.file("out/small.csv")));

@@ -252,7 +252,7 @@ TEST(FullDisk, AFolderThatCannotBeIsSaidBeforeTheRun) {
   }
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these take memory of their own
+#if !defined(ERG_SANITIZE_ADDRESS) && !defined(ERG_SANITIZE_THREAD)  // these take memory of their own
 
 constexpr rlim_t short_memory = rlim_t{700} << 20;
 
@@ -310,7 +310,7 @@ double taken_a_cell(const ScratchFolder& folder, const Config& config) {
 
 TEST(ShortMemory, WhatIsSaidOfARunsNeedIsSo) {
   const ScratchFolder folder;
-  for (const ModelType& type : catalogue()) {
+  for (const models::ModelType& type : models::catalogue()) {
     SCOPED_TRACE(type.info.key);
     Config config(type.info.key);
     config.run.set("executor", std::string("cpu"));

@@ -22,10 +22,12 @@ struct Case {
   std::int32_t rocks = 0;  ///< height, slabs; 0: none
   int steps = 4;
   int sweeps = 16;
-  std::vector<Forcing> winds = {};  ///< of the steps, in turn; empty: the world's
+  std::vector<forcing::Forcing> winds = {};  ///< of the steps, in turn; empty: the world's
 
-  ExecutorOptions options() const { return {.name = "cpu", .threads = 2, .sweeps = sweeps, .lines_a_thread = 1}; }
-  Forcing wind(int step) const {
+  compute::ExecutorOptions options() const {
+    return {.name = "cpu", .threads = 2, .sweeps = sweeps, .lines_a_thread = 1};
+  }
+  forcing::Forcing wind(int step) const {
     return winds.empty() ? world.model_wind() : winds[static_cast<std::size_t>(step) % winds.size()];
   }
 };
@@ -35,7 +37,7 @@ inline std::vector<Case> slab_cases() {
   std::vector<Case> all;
   const std::string nonrepeated = "nonrepeated";
   const std::string eight = "8";
-  for (const ModelType& model : catalogue()) {
+  for (const models::ModelType& model : models::catalogue()) {
     const std::string key = model.info.key;
     if (!World{.model = key}.moves_slabs()) continue;  // others only use parallel_for
     all.push_back({key, {.model = key, .extent = {70, 45}}});
@@ -92,7 +94,7 @@ inline Terrain ground(const Case& scene) {
   return terrain;
 }
 
-inline void expect_same(const StepReport& ours, const StepReport& theirs, const std::string& what) {
+inline void expect_same(const models::StepReport& ours, const models::StepReport& theirs, const std::string& what) {
   EXPECT_EQ(ours.polls, theirs.polls) << what;
   EXPECT_EQ(ours.lifts, theirs.lifts) << what;
   EXPECT_EQ(ours.travel, theirs.travel) << what;
@@ -103,14 +105,14 @@ inline void expect_same(const StepReport& ours, const StepReport& theirs, const 
 /// All that a run leaves.
 struct CaseEnd {
   Terrain terrain;
-  StepReport report;
+  models::StepReport report;
   Grid<std::int32_t> lifts;
-  std::vector<Reading> readings;
+  std::vector<models::Diagnostic> diagnostics;
 };
 
-inline CaseEnd run_on(Executor& executor, const Case& scene) {
+inline CaseEnd run_on(compute::Executor& executor, const Case& scene) {
   CaseEnd ending{ground(scene), {}, Grid<std::int32_t>(scene.world.extent), {}};
-  const auto model = find_model(scene.world.model).make(scene.world.values());
+  const auto model = models::find_model(scene.world.model).make(scene.world.values());
   model->prepare({.seed = scene.world.seed});
   model->begin(ending.terrain);
   executor.count_lifts(&ending.lifts);
@@ -120,15 +122,15 @@ inline CaseEnd run_on(Executor& executor, const Case& scene) {
   }
   executor.sync_to_host(ending.terrain);
   executor.count_lifts(nullptr);
-  ending.readings = model->readings();
+  ending.diagnostics = model->diagnostics();
   const auto lifts = ending.lifts.cells();
   EXPECT_EQ(std::accumulate(lifts.begin(), lifts.end(), std::int64_t{0}), ending.report.lifts) << scene.name;
   EXPECT_EQ(ending.terrain.total_mobile(), ending.terrain.ledger().expected()) << scene.name;
   return ending;
 }
 
-/// Terrain with its fields, ledger, lifts, reports and readings of a run on `executor` are those of a run on `cpu`.
-inline void expect_same_as_threads(const Case& scene, Executor& executor, const std::string& name = "cuda") {
+/// Terrain with its fields, ledger, lifts, reports and diagnostics of a run on `executor` are those of a run on `cpu`.
+inline void expect_same_as_threads(const Case& scene, compute::Executor& executor, const std::string& name = "cuda") {
   const CaseEnd theirs = run_on(*sim::make_executor(scene.options()), scene);
   const CaseEnd ours = run_on(executor, scene);
   EXPECT_EQ(executor.name(), name) << executor.take_notice();
@@ -142,8 +144,9 @@ inline void expect_same_as_threads(const Case& scene, Executor& executor, const 
   EXPECT_EQ(ours.terrain.ledger(), theirs.terrain.ledger()) << scene.name;
   EXPECT_TRUE(ours.lifts == theirs.lifts) << scene.name;
   expect_same(ours.report, theirs.report, scene.name);
-  for (std::size_t k = 0; k < theirs.readings.size(); ++k) {
-    EXPECT_EQ(ours.readings[k].value, theirs.readings[k].value) << scene.name << ", " << theirs.readings[k].key;
+  for (std::size_t k = 0; k < theirs.diagnostics.size(); ++k) {
+    EXPECT_EQ(ours.diagnostics[k].value, theirs.diagnostics[k].value)
+        << scene.name << ", " << theirs.diagnostics[k].key;
   }
 }
 

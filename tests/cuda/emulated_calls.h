@@ -42,7 +42,7 @@ inline constexpr int out_of_memory = 2;
 inline constexpr int broken = 719;
 inline constexpr int wrong_use = 1;
 
-class EmulatedApi : public CudaApi {
+class EmulatedApi : public cuda::CudaApi {
  public:
   explicit EmulatedApi(std::shared_ptr<Card> card) : card_(std::move(card)) {}
 
@@ -112,8 +112,8 @@ class EmulatedApi : public CudaApi {
   }
   Status launch(const void* entry, int blocks, const void* plan, void*) override {
     if (const Status status = take("launch"); status != 0) return status;
-    run(*static_cast<const Kernel*>(entry), std::min(blocks * device_block / card_->block + 1, card_->most_blocks),
-        plan);
+    run(*static_cast<const compute::Kernel*>(entry),
+        std::min(blocks * cuda::device_block / card_->block + 1, card_->most_blocks), plan);
     return 0;
   }
 
@@ -157,7 +157,7 @@ class EmulatedApi : public CudaApi {
   }
 
   /// Every thread of the launch once: blocks in shuffled order, shared out over real threads; within a block shuffled.
-  void run(const Kernel& kernel, int blocks, const void* plan) {
+  void run(const compute::Kernel& kernel, int blocks, const void* plan) {
     const std::uint64_t word = mix64(card_->shuffle + static_cast<std::uint64_t>(card_->calls));
     const std::vector<int> block_order = shuffled(blocks, word);
     const std::vector<std::byte> given(static_cast<const std::byte*>(plan),
@@ -181,15 +181,16 @@ class EmulatedApi : public CudaApi {
 };
 
 /// On this card a kernel is its own entry.
-inline const void* emulated_entry(const Kernel& kernel) { return &kernel; }
+inline const void* emulated_entry(const compute::Kernel& kernel) { return &kernel; }
 
-inline std::unique_ptr<CudaBackend> emulated_backend(const std::shared_ptr<Card>& card) {
-  return std::make_unique<CudaBackend>(std::make_unique<EmulatedApi>(card), emulated_entry);
+inline std::unique_ptr<cuda::CudaBackend> emulated_backend(const std::shared_ptr<Card>& card) {
+  return std::make_unique<cuda::CudaBackend>(std::make_unique<EmulatedApi>(card), emulated_entry);
 }
 
 /// The executor "cuda" on an emulated card.
-inline std::unique_ptr<Executor> emulated_executor(const ExecutorOptions& options, const std::shared_ptr<Card>& card) {
-  return make_cuda_executor(options, std::make_unique<EmulatedApi>(card), emulated_entry);
+inline std::unique_ptr<compute::Executor> emulated_executor(const compute::ExecutorOptions& options,
+                                                            const std::shared_ptr<Card>& card) {
+  return cuda::make_cuda_executor(options, std::make_unique<EmulatedApi>(card), emulated_entry);
 }
 
 }  // namespace erg::test

@@ -13,7 +13,7 @@ namespace erg::test {
 /// `cpu`.
 inline void expect_same_as_loops(const std::vector<Case>& scenes) {
   for (const Case& scene : scenes) {
-    Executor executor(scene.options(), std::make_unique<CpuBackend>(2));
+    compute::Executor executor(scene.options(), std::make_unique<compute::CpuBackend>(2));
     expect_same_as_threads(scene, executor, "cpu");
   }
 }

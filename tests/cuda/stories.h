@@ -14,7 +14,7 @@
 
 namespace erg::test {
 
-inline const ExecutorOptions two_sweeps{.name = "cpu", .threads = 1, .sweeps = 2};
+inline const compute::ExecutorOptions two_sweeps{.name = "cpu", .threads = 1, .sweeps = 2};
 
 /// What a story leaves.
 struct StoryEnd {
@@ -25,11 +25,11 @@ struct StoryEnd {
   std::string executor;
 
   /// Notes what the executor has to say.
-  void hear(Executor& machine) {
+  void hear(compute::Executor& machine) {
     if (const std::string notice = machine.take_notice(); !notice.empty()) notices.push_back(notice);
   }
   /// The last of it.
-  void close(Executor& machine, Terrain& terrain) {
+  void close(compute::Executor& machine, Terrain& terrain) {
     machine.sync_to_host(terrain);
     hear(machine);
     hash = state_hash(terrain);
@@ -39,10 +39,10 @@ struct StoryEnd {
   }
 };
 
-using Story = std::function<StoryEnd(Executor&)>;
+using Story = std::function<StoryEnd(compute::Executor&)>;
 
 inline StoryEnd told_by_cpu(const Story& story) {
-  Executor executor(two_sweeps);
+  compute::Executor executor(two_sweeps);
   return story(executor);
 }
 

@@ -8,6 +8,10 @@
 #include "snow_cases.h"
 
 namespace erg::test {
+
+using cuda::cuda_api;
+using cuda::make_cuda_executor;
+
 namespace {
 
 /// Skipped where no device works. One that fails later, in a test, fails it: the executor then is no longer "cuda".
@@ -27,7 +31,7 @@ TEST_F(CudaDevice, GivesTheSameBitsAsThreads) {
 }
 
 TEST_F(CudaDevice, GivesTheSameBitsOnDevelopedDunes) {
-  for (const ModelType& model : catalogue()) {
+  for (const models::ModelType& model : models::catalogue()) {
     if (!World{.model = model.info.key}.moves_slabs()) continue;
     for (const double bearing : {270.0, 240.0, 225.0}) {
       const Case scene{model.info.key, {.model = model.info.key, .extent = {700, 520}, .wind = {bearing, 5}}, 0, 60};
@@ -52,7 +56,7 @@ TEST_F(CudaDevice, GivesTheSameBitsForSnow) {
     Case large = scenes.front();
     large.name = "large, bearing " + std::to_string(bearing);
     large.world.extent = {700, 520};
-    for (Forcing& wind : large.winds) wind.bearing = bearing;
+    for (forcing::Forcing& wind : large.winds) wind.bearing = bearing;
     large.rocks = 60;
     large.steps = 40;
     scenes.push_back(large);

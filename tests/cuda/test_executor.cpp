@@ -7,6 +7,14 @@
 #include "stories.h"
 
 namespace erg::test {
+
+using compute::Executor;
+using models::Cover;
+using models::CoverField;
+using models::find_model;
+using models::move_slabs;
+using models::SlabLaw;
+
 namespace {
 
 World small_world() { return {.model = "bishop", .extent = {12, 9}, .boundary = Boundary::open, .inflow = 2}; }
@@ -22,10 +30,10 @@ StoryEnd slab_story(Executor& executor) {
   const auto made = find_model(world.model).make(world.values());
   Cover cover{CoverField(world.extent)};
   for (int step = 0; step < 6; ++step) {
-    SlabLaw law = dynamic_cast<const SlabModel&>(*made).law(terrain);
+    SlabLaw law = dynamic_cast<const models::SlabModel&>(*made).law(terrain);
     if (step % 2 == 0) cover.edit().fill(static_cast<std::uint8_t>(20 * (step / 2)));
     law.cover = &cover;
-    const Forcing wind{step < 3 ? 270.0 : 10.0, 3};
+    const forcing::Forcing wind{step < 3 ? 270.0 : 10.0, 3};
     move_slabs(executor, terrain, law, wind, {world.seed, static_cast<std::uint64_t>(step)});
     if (step == 3) executor.sync_to_host(terrain);
     end.hear(executor);
@@ -47,7 +55,7 @@ TEST(CudaExecutor, SaysWhyThereIsNoDevice) {
   EXPECT_EQ(without->take_notice(), "cuda: there is no CUDA device; computing on the processor");
   EXPECT_EQ(without->take_notice(), "");
 
-  const auto not_built = make_cuda_executor(two_sweeps, nullptr, emulated_entry);
+  const auto not_built = cuda::make_cuda_executor(two_sweeps, nullptr, emulated_entry);
   EXPECT_EQ(not_built->take_notice(), "cuda: this program was built without CUDA; computing on the processor");
 
   const auto old_driver = std::make_shared<Card>();
@@ -140,16 +148,16 @@ TEST(CudaExecutor, TakesALargerTerrainWithCoverAfterASmallerOne) {
     }
     EXPECT_EQ(hashes[0], hashes[1]);
     const auto bytes = [](const auto& block) { return block.second; };
-    // Shadow and cover: a byte for each cell.
-    EXPECT_EQ(std::ranges::count(card->device_blocks, extent.cells(), bytes), 2);
+    // Two planes of ground, bed, the surface as shown and one on its way: a word for each cell.
+    EXPECT_EQ(std::ranges::count(card->device_blocks, extent.cells() * 4, bytes), 5);
   }
 }
 
 TEST(CudaExecutor, CopiesTerrainsThatTakeSeveralPieces) {
   const auto card = std::make_shared<Card>();
   const auto device = emulated_backend(card);
-  const std::size_t bytes = 2 * CudaBackend::piece_bytes + 12;
-  Buffer<std::byte> memory(*device, bytes);
+  const std::size_t bytes = 2 * cuda::CudaBackend::piece_bytes + 12;
+  compute::Buffer<std::byte> memory(*device, bytes);
   const auto value = [](std::size_t k) { return static_cast<std::byte>(mix64(k) & 0xff); };
   device->copy_in(memory.data(), bytes, [&](std::byte* target, std::size_t first, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) target[k] = value(first + k);

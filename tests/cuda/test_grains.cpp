@@ -10,6 +10,12 @@
 #include "stories.h"
 
 namespace erg::test {
+
+using compute::Executor;
+using models::bonded_field;
+using models::grain_binding;
+using models::GrainModel;
+
 namespace {
 
 TEST(CudaGrains, GiveTheSameBitsAsThreads) { expect_same_on_cards(grain_cases()); }
@@ -41,9 +47,9 @@ StoryEnd grain_story(Executor& executor) {
   model.begin(terrain);
   std::uint64_t ways = 0;
   const auto fly = [&](std::uint64_t step, double bearing) {
-    model.keep_paths(step == 1 ? 5 : 0);
+    model.keep_trajectories(step == 1 ? 5 : 0);
     model.step(terrain, {bearing, 9}, {world.seed, step}, executor);
-    for (const GrainPath& path : model.paths()) ways = mix64(ways ^ path.size());
+    for (const Trajectory& path : model.trajectories()) ways = mix64(ways ^ path.size());
     end.hear(executor);
   };
   fly(0, 270);
@@ -52,7 +58,7 @@ StoryEnd grain_story(Executor& executor) {
   terrain.edit_mobile()(3, 3) += 4;
   terrain.ledger().in += 4;
   fly(2, 10);
-  move_slabs(executor, terrain, SlabLaw{}, {270, 3}, {world.seed, 3});
+  models::move_slabs(executor, terrain, models::SlabLaw{}, {270, 3}, {world.seed, 3});
   fly(4, 270);
   end.close(executor, terrain);
   end.hash ^= ways;
@@ -77,7 +83,7 @@ TEST(CudaGrains, KeepTheTerrainOnTheDeviceBetweenSteps) {
   model.step(terrain, {270, 9}, {7, 1}, *executor);
   EXPECT_EQ(card->of_kind["allocate"], allocated);
   // What was counted, and for each pass of slides whether anything slid.
-  const std::size_t counted = std::size_t{counter_slots} * sizeof(GrainCounters);
+  const std::size_t counted = std::size_t{compute::counter_slots} * sizeof(models::GrainCounters);
   EXPECT_GE(card->bytes_out - bytes, counted + 4 * 4);
   EXPECT_LE(card->bytes_out - bytes, counted + 4 * 8 * 4);
   EXPECT_EQ(state_hash(terrain), before) << "stale until it is asked for";

@@ -6,12 +6,15 @@
 #include "stories.h"
 
 namespace erg::test {
+
+using compute::Executor;
+
 namespace {
 
 /// In the catalogue while a test runs it; one test program never forgets a model.
 void add_showers() {
   static const bool added = [] {
-    add_model(showers());
+    models::add_model(showers());
     return true;
   }();
   static_cast<void>(added);
@@ -60,7 +63,7 @@ TEST(Showers, GoOnWhicheverCallFails) {
     const World world = rainy(1);
     StoryEnd end;
     Terrain terrain = world.strewn();
-    const auto model = find_model(world.model).make(world.values());
+    const auto model = models::find_model(world.model).make(world.values());
     model->begin(terrain);
     for (std::uint64_t step = 0; step < 3; ++step) {
       model->step(terrain, world.wind, {world.seed, step}, executor);

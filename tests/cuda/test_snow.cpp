@@ -12,6 +12,11 @@
 #include "stories.h"
 
 namespace erg::test {
+
+using compute::Executor;
+using models::find_model;
+using models::SnowLayer;
+
 namespace {
 
 std::unique_ptr<Executor> emulated(const std::shared_ptr<Card>& card, int sweeps = 2) {
@@ -31,12 +36,12 @@ TEST(CudaSnow, ItsCasesHaveEverythingHappen) {
     const auto card = std::make_shared<Card>();
     const auto executor = emulated(card, scene.sweeps);
     Terrain terrain = ground(scene);
-    const StepReport report = scene.world.run(terrain, *executor, scene.steps);
+    const models::StepReport report = scene.world.run(terrain, *executor, scene.steps);
     EXPECT_GT(report.lifts, 10) << scene.name;
     EXPECT_GT(report.travel, 20) << scene.name;
     const auto total = [&](SnowLayer layer) {
       double sum = 0;
-      for (const float slabs : snow_layer(terrain.fields(), layer).cells()) sum += static_cast<double>(slabs);
+      for (const float slabs : models::snow_layer(terrain.fields(), layer).cells()) sum += static_cast<double>(slabs);
       return sum;
     };
     EXPECT_GT(total(SnowLayer::bonded), 0) << scene.name;
@@ -72,7 +77,7 @@ StoryEnd snow_story(Executor& executor) {
   terrain.edit_mobile()(3, 6) += 4;
   terrain.ledger().in += 4;
   drift(16, 20);
-  move_slabs(executor, terrain, SlabLaw{}, {270, 3}, {world.seed, 17});
+  models::move_slabs(executor, terrain, models::SlabLaw{}, {270, 3}, {world.seed, 17});
   drift(18, 0);
   end.close(executor, terrain);
   return end;
@@ -95,7 +100,8 @@ TEST(CudaSnow, KeepsTheTerrainOnTheDeviceBetweenSteps) {
   const std::size_t bytes = card->bytes_out;
   model->step(terrain, {270, 14}, {7, 1}, *executor);
   EXPECT_EQ(card->of_kind["allocate"], allocated);
-  EXPECT_EQ(card->bytes_out - bytes, snow_bounds * 4 + counter_slots * step_counters * 8) << "bounds and counts";
+  EXPECT_EQ(card->bytes_out - bytes, models::snow_bounds * 4 + compute::counter_slots * kernels::step_counters * 8)
+      << "bounds and counts";
   EXPECT_EQ(state_hash(terrain), before) << "stale until it is asked for";
   const std::size_t stepped = card->bytes_out;
   executor->sync_to_host(terrain);

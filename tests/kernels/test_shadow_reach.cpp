@@ -7,6 +7,10 @@
 #include "forcing/shadow.h"
 
 namespace erg {
+
+using forcing::shadow_map;
+using forcing::shadow_reach;
+
 namespace {
 
 TEST(ShadowReach, IsWhereAShadowLineHasFallenFromTheHighestSurfaceToTheLowest) {

@@ -22,17 +22,17 @@ namespace erg::test {
 using GrainSettings = std::vector<std::pair<std::string, ParameterValue>>;
 
 inline ParameterValues grain_parameters(const GrainSettings& settings) {
-  ParameterValues values(grain_binding().declarations());
+  ParameterValues values(models::grain_binding().declarations());
   for (const auto& [key, value] : settings) values.set(key, value);
   return values;
 }
-inline GrainValues grain_values(const GrainSettings& settings = {}) {
-  return grain_binding().read(grain_parameters(settings));
+inline models::GrainValues grain_values(const GrainSettings& settings = {}) {
+  return models::grain_binding().read(grain_parameters(settings));
 }
 
 /// Grains in still air.
-inline GrainLaw calm_law(const GrainSettings& settings = {}) {
-  GrainLaw law = grain_law(grain_values(settings), {270, 0.1}, wind_frame({8, 8}, 270), 0.01);
+inline models::GrainLaw calm_law(const GrainSettings& settings = {}) {
+  models::GrainLaw law = models::grain_law(grain_values(settings), {270, 0.1}, forcing::wind_frame({8, 8}, 270), 0.01);
   for (float& speed : law.wind_speed) speed = 0;
   return law;
 }
@@ -49,14 +49,14 @@ struct GrainRun {
   }
 
   static Terrain level_bed(const GrainSettings& settings, Extent extent, std::int32_t parcels) {
-    Terrain terrain(extent, 0.01, GrainModel(grain_values(settings)).quantum(), Boundary::torus);
+    Terrain terrain(extent, 0.01, models::GrainModel(grain_values(settings)).quantum(), Boundary::torus);
     terrain.edit_mobile().fill(parcels);
     terrain.open_ledger();
     return terrain;
   }
 
-  StepReport steps(int count, Forcing wind) {
-    StepReport total;
+  models::StepReport steps(int count, forcing::Forcing wind) {
+    models::StepReport total;
     for (int k = 0; k < count; ++k) {
       total += model.step(terrain, wind, {5, step++}, *executor);
       executor->sync_to_host(terrain);
@@ -68,20 +68,20 @@ struct GrainRun {
   /// Cells a step along the wind.
   double downwind_speed(double bearing) const {
     const analysis::Shift velocity = migration.velocity().value_or(analysis::Shift{});
-    const Direction toward = downwind(bearing);
+    const forcing::Direction toward = forcing::downwind(bearing);
     return velocity.x * toward.x + velocity.y * toward.y;
   }
   double reading(const std::string& key) const {
-    for (const Reading& one : model.readings()) {
+    for (const models::Diagnostic& one : model.diagnostics()) {
       if (one.key == key) return one.value;
     }
     ADD_FAILURE() << "no reading " << key;
     return 0;
   }
 
-  GrainModel model;
+  models::GrainModel model;
   Terrain terrain;
-  std::unique_ptr<Executor> executor;
+  std::unique_ptr<compute::Executor> executor;
   std::uint64_t step = 0;
   analysis::MigrationTracker migration;
 };

@@ -45,7 +45,7 @@ void expect_horns_alike(const DuneMap& map) {
 
 TEST(Bearings, ASpreadKeepsABarchanFromLeaning) {
   const std::vector<std::string> cone{"scene.height=12", "scene.radius=36"};
-  const DuneMap swinging = mean_barchan("momiji", natural_spread, 3, cone);
+  const DuneMap swinging = mean_barchan("momiji", models::natural_spread, 3, cone);
   EXPECT_LT(asymmetry(swinging), 0.06);
   expect_horns_alike(swinging);
   EXPECT_GT(asymmetry(mean_barchan("momiji", 0, 3, cone)), 0.12) << "the control: a wind from one bearing for ever";
@@ -56,11 +56,11 @@ TEST(Bearings, SlidesAlongDiagonalsKeepWernersBarchanFromLeaning) {
   std::vector<std::string> settings{
       "scene.height=20",    "scene.radius=60",        "grid.nx=288", "grid.ny=288", "grid.inflow=2.6",
       "grid.boundary=open", "parameters.neighbours=8"};
-  const DuneMap round = mean_barchan("werner", natural_spread, 4, settings);
+  const DuneMap round = mean_barchan("werner", models::natural_spread, 4, settings);
   EXPECT_LT(asymmetry(round), 0.06);
   expect_horns_alike(round);
   settings.back() = "parameters.neighbours=4";
-  EXPECT_GT(asymmetry(mean_barchan("werner", natural_spread, 4, settings)), 0.1) << "the control: slides of print";
+  EXPECT_GT(asymmetry(mean_barchan("werner", models::natural_spread, 4, settings)), 0.1) << "the control: slides of print";
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 
 namespace erg {
 
+using forcing::WindInterval;
+using models::catalogue;
+using models::ModelType;
 using sim::Config;
 using sim::set_from_text;
 using sim::Simulation;

@@ -6,6 +6,9 @@
 #include "world.h"
 
 namespace erg::test {
+
+using models::StepReport;
+
 namespace {
 
 void expect_whole(Terrain& terrain, const std::string& what) {
@@ -135,7 +138,7 @@ TEST_P(EveryModel, KeepsItsSandInTallColumns) {
 
 std::vector<std::string> model_keys() {
   std::vector<std::string> keys;
-  for (const ModelType& model : catalogue()) keys.push_back(model.info.key);
+  for (const models::ModelType& model : models::catalogue()) keys.push_back(model.info.key);
   return keys;
 }
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryModel, testing::ValuesIn(model_keys()),

@@ -13,6 +13,11 @@
 
 namespace erg::test {
 
+using models::Cover;
+using models::CoverField;
+using models::move_slabs;
+using models::SlabLaw;
+using models::StepReport;
 using sim::make_executor;
 
 namespace {
@@ -57,7 +62,7 @@ TEST(Exact, MeanTravelHoldsForAnyHopLengthAtAnyBearing) {
   const std::vector<Wind> winds{{5, 250, 0.6},   {5, 250, 0.2}, {3, 250, 0.4},   {2.5, 270, 0.6},
                                 {1.3, 240, 0.6}, {1, 225, 0.6}, {0.5, 270, 0.6}, {0.3, 285, 0.4}};
   struct Size {
-    ExecutorOptions options;
+    compute::ExecutorOptions options;
     int side, steps;
   };
   const std::vector<Size> sizes{{{.name = "cpu", .threads = 2, .sweeps = 16}, 512, 16}, {{.name = "serial"}, 256, 8}};
@@ -75,7 +80,7 @@ TEST(Exact, MeanTravelHoldsForAnyHopLengthAtAnyBearing) {
       }
       const double travel = total.travel / static_cast<double>(total.lifts);
       // A geometric number of hops scatters by sqrt(1 - p) of its mean; of hops shorter than a row only some are made.
-      const double rows = std::min(1.0, wind.strength * wind_frame(terrain.extent(), wind.bearing).cosine);
+      const double rows = std::min(1.0, wind.strength * forcing::wind_frame(terrain.extent(), wind.bearing).cosine);
       const double scatter = std::sqrt((2 - wind.chance) / rows - 1);
       const double error = 3 * scatter / std::sqrt(static_cast<double>(total.lifts));  // 0.1% on `cpu` but for hop 0.3
       EXPECT_NEAR(travel * wind.chance / wind.strength, 1, error)
@@ -134,16 +139,16 @@ TEST(Exact, FullCoverHoldsEverything) {
 }
 
 TEST(Exact, StandingStepsOfPrintedAngles) {
-  EXPECT_EQ(standing_step(33.69, 1, 1.0 / 3), 2);  // tan = 2/3: exactly two slabs of a third
-  EXPECT_EQ(standing_step(30, 1, 1.0 / 3), 2);
-  EXPECT_EQ(standing_step(33.7, 1, 1.0 / 3), 3);
-  EXPECT_EQ(standing_step(30, 1, 0.1), 6);
-  EXPECT_EQ(standing_step(40, 1, 0.1), 9);
-  EXPECT_NEAR(shadow_fall(15, 1, 1.0 / 3), 0.804, 0.0005);
+  EXPECT_EQ(critical_step(33.69, 1, 1.0 / 3), 2);  // tan = 2/3: exactly two slabs of a third
+  EXPECT_EQ(critical_step(30, 1, 1.0 / 3), 2);
+  EXPECT_EQ(critical_step(33.7, 1, 1.0 / 3), 3);
+  EXPECT_EQ(critical_step(30, 1, 0.1), 6);
+  EXPECT_EQ(critical_step(40, 1, 0.1), 9);
+  EXPECT_NEAR(forcing::shadow_fall(15, 1, 1.0 / 3), 0.804, 0.0005);
 }
 
 TEST(Exact, HopGrowsWithHeightAsPrinted) {
-  const HopLaw momiji{0.4, 0.002, 0};
+  const models::HopLaw momiji{0.4, 0.002, 0};
   EXPECT_DOUBLE_EQ(momiji.cells(5, 10), 5 + 4 + 0.2);
   EXPECT_DOUBLE_EQ(momiji.cells(5, -5), 3);   // no square below the reference
   EXPECT_DOUBLE_EQ(momiji.cells(5, -20), 1);  // never below one cell
@@ -233,7 +238,7 @@ TEST(Exact, ATallConeSlidesToTheSameSlopeInEveryAzimuthWithEightNeighbours) {
   SlabLaw law;
   law.cover = &cover;
   law.neighbours = 8;
-  law.bare = law.covered = ReposeSteps::of_angle(33, 1, 0.1);
+  law.bare = law.covered = models::ReposeSteps::of_angle(33, 1, 0.1);
   const auto executor = make_executor({.name = "cpu", .threads = 2, .lines_a_thread = 1});
   for (std::uint64_t step = 0; step < 400; ++step) move_slabs(*executor, terrain, law, {270, 5}, {3, step});
   executor->sync_to_host(terrain);

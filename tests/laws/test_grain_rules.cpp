@@ -8,6 +8,19 @@
 #include "models/grains/plant_wakes.h"
 
 namespace erg::test {
+
+using forcing::wind_frame;
+using models::bounce;
+using models::friction_velocity;
+using models::Grain;
+using models::GrainDice;
+using models::GrainLaw;
+using models::GrainValues;
+using models::GroundPoint;
+using models::lifting_threshold;
+using models::profile_speed;
+using models::reptation;
+
 namespace {
 
 TEST(Grains, EnergyNeverRisesInABounce) {
@@ -19,7 +32,7 @@ TEST(Grains, EnergyNeverRisesInABounce) {
     grain.speed_u = 8 * signed_unit();
     grain.speed_v = 8 * signed_unit();
     grain.speed_z = 4 * signed_unit();
-    const GroundSpot spot{0, 0, 1, 3 * signed_unit(), 3 * signed_unit()};
+    const models::GroundSpot spot{0, 0, 1, 3 * signed_unit(), 3 * signed_unit()};
     const auto energy = [&] {
       return grain.speed_u * grain.speed_u + grain.speed_v * grain.speed_v + grain.speed_z * grain.speed_z;
     };
@@ -56,15 +69,15 @@ TEST(Grains, WithoutAirAGrainFliesAParabola) {
   law.longest_steps = 100000;
   law.bounce_limit = 1;
   const std::vector<GroundPoint> level((64 + 2) * (64 + 2));
-  const SurfaceSnapshot ground{level.data(), 64, 64, true};
+  const models::SurfaceSnapshot ground{level.data(), 64, 64, true};
   Grain grain;
   grain.u = grain.v = 20;
   grain.speed_v = 1.5f;
   grain.speed_z = 1;
   GrainDice dice{1};
-  FlightCounters sums;
+  models::FlightCounters sums;
   FirstImpact watch;
-  EXPECT_EQ(fly(law, ground, grain, dice, sums, watch), FlightEnd::rested);
+  EXPECT_EQ(fly(law, ground, grain, dice, sums, watch), models::FlightEnd::rested);
   // Way 2 v w / g, speed of impact as at the start; the first-order time step errs by g dt / w.
   EXPECT_NEAR(grain.along, 2 * 1.5 * 1 / 9.81, 0.001);
   EXPECT_NEAR(watch.speed, std::hypot(1.5, 1.0), 0.003);
@@ -82,10 +95,10 @@ TEST(Grains, TheProfileIsLogarithmicAndItsTableExact) {
   for (const double speed : {6.0, 10.0, 15.0}) {
     EXPECT_NEAR(profile_speed(values, friction_velocity(values, speed), 10), speed, 1e-9);
   }
-  const GrainLaw law = grain_law(values, {270, 12}, wind_frame({8, 8}, 270), 0.01);
+  const GrainLaw law = models::grain_law(values, {270, 12}, wind_frame({8, 8}, 270), 0.01);
   for (const double height : {1e-4, 0.003, 0.0199, 0.05, 0.7, 11.0}) {
     const double exact = profile_speed(values, friction_velocity(values, 12), height);
-    EXPECT_NEAR(wind_at(law, static_cast<float>(height)), exact, 0.01 * exact) << height;
+    EXPECT_NEAR(models::wind_at(law, static_cast<float>(height)), exact, 0.01 * exact) << height;
   }
 }
 
@@ -94,8 +107,8 @@ double falling_speed(const GrainSettings& settings) {
   GrainLaw law = calm_law(settings);
   law.time_step = 1e-3f;
   Grain grain;
-  give_size(law, 0, grain);
-  for (int step = 0; step < 5000; ++step) advance(law, {-1000, -2000, 1, 0, 0}, grain);
+  models::give_size(law, 0, grain);
+  for (int step = 0; step < 5000; ++step) models::advance(law, {-1000, -2000, 1, 0, 0}, grain);
   return -grain.speed_z;
 }
 
@@ -128,7 +141,7 @@ TEST(Grains, HopsAreShorterUphillAndLongerOverACrest) {
   const GrainLaw law = calm_law();
   const auto way = [&](float before, float behind, float v) {
     const std::vector<GroundPoint> points = two_slopes(side, before, behind, 20);
-    return way_over_ground(law, {points.data(), side, side, false}, 20, v, 0, 1, 6);
+    return models::way_over_ground(law, {points.data(), side, side, false}, 20, v, 0, 1, 6);
   };
   EXPECT_NEAR(way(0, 0, 10.5f), 6, 0.01);
   EXPECT_NEAR(way(0.2f, 0.2f, 10.5f), 6 * (1 - 2 * 0.2), 0.1);
@@ -156,8 +169,8 @@ TEST(Grains, APlantSheltersWhatLiesBehindAndNothingElse) {
   Terrain terrain({40, 40}, 0.01, 0.25e-3, Boundary::torus);
   Grid<float> plants(terrain.extent());
   plants(10, 20) = 1;
-  const WindFrame frame = wind_frame(terrain.extent(), 270);
-  const std::vector<float> shelter = plant_shelter(values, terrain, plants, frame);
+  const forcing::WindFrame frame = wind_frame(terrain.extent(), 270);
+  const std::vector<float> shelter = models::plant_shelter(values, terrain, plants, frame);
   const auto left_at = [&](int x, int y) {
     for (int v = 0; v < frame.length; ++v) {
       for (int u = 0; u < frame.width; ++u) {

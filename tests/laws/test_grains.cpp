@@ -17,6 +17,9 @@ namespace erg::test {
 using analysis::crest_spacing;
 using analysis::measure;
 using analysis::measure_spectrum;
+using models::GrainModel;
+using models::ReposeSteps;
+using models::StepReport;
 using sim::Config;
 
 namespace {
@@ -124,13 +127,13 @@ TEST(Grains, ASteepHumpSlidesToRepose) {
   }
   run.terrain.open_ledger();
   run.steps(40, {270, 1});  // calm: only slides
-  const ReposeSteps standing = ReposeSteps::of_angle(33, 0.01, run.model.quantum());
+  const ReposeSteps critical = ReposeSteps::of_angle(33, 0.01, run.model.quantum());
   for (int y = 0; y < 60; ++y) {
     for (int x = 0; x < 60; ++x) {
-      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y)), standing.straight);
-      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x, y + 1)), standing.straight);
-      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y + 1)), standing.diagonal);
-      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y - 1)), standing.diagonal);
+      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y)), critical.straight);
+      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x, y + 1)), critical.straight);
+      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y + 1)), critical.diagonal);
+      EXPECT_LE(std::abs(mobile(x, y) - mobile.wrapped(x + 1, y - 1)), critical.diagonal);
     }
   }
   EXPECT_EQ(run.terrain.total_mobile(), run.terrain.ledger().expected());
@@ -189,7 +192,8 @@ TEST(Grains, SandGathersInTheLeeOfHardGround) {
   for (const char* const kind : {"hump", "dune", "rocks"}) {
     // Behind the hard ground: what lay in the shadow of the level bed.
     const Terrain before = scene_bed(kind);
-    const Grid<std::uint8_t> lee = shadow_map(before, 270, GrainRun({}, before).model.shadow_fall(before.cell_size()));
+    const Grid<std::uint8_t> lee =
+        forcing::shadow_map(before, 270, GrainRun({}, before).model.shadow_fall(before.cell_size()));
     const double behind = gathered(before, lee);
     const double control = gathered(scene_bed("flat"), lee);
     EXPECT_GT(behind, 1.0 / 3) << kind << ": parcels";
@@ -214,7 +218,7 @@ TEST(Grains, EveryParameterMatters) {
     return state_hash(run.terrain);
   };
   const std::uint64_t plain = end_of(busy);
-  for (const Parameter& parameter : find_model("grains").parameters) {
+  for (const Parameter& parameter : models::find_model("grains").parameters) {
     ParameterValue other = std::string("friction_velocity");
     const ParameterValues values = grain_parameters(busy);
     if (parameter.kind() == ParameterKind::integer) other = values.integer(parameter.key) + 1;
@@ -254,7 +258,7 @@ TEST(Grains, PlantsShelterWhereTheyStandNowFromTheWindThatBlowsNow) {
     EXPECT_EQ(state_hash(run.terrain), state_hash(anew.terrain)) << "step " << run.step;
     for (GrainRun* one : {&run, &anew}) {
       const int x = static_cast<int>(7 * one->step);
-      find_field(one->terrain.edit_fields(), plants_field)->values(x, 20) = 1;
+      find_field(one->terrain.edit_fields(), models::plants_field)->values(x, 20) = 1;
     }
   }
 }
@@ -297,11 +301,11 @@ TEST(Grains, LogNormalDiametersSpreadTheLeaps) {
 TEST(Grains, PathsDoNotJumpOverTheTorus) {
   for (const double bearing : {270.0, 200.0}) {
     GrainRun run({}, {48, 40});
-    run.model.keep_paths(30);
+    run.model.keep_trajectories(30);
     run.steps(1, {bearing, 13});
-    const std::vector<GrainPath> paths = run.model.paths();
-    EXPECT_GE(paths.size(), 30u);
-    for (const GrainPath& path : paths) {
+    const std::vector<Trajectory> trajectories = run.model.trajectories();
+    EXPECT_GE(trajectories.size(), 30u);
+    for (const Trajectory& path : trajectories) {
       ASSERT_GE(path.size(), 2u);
       for (std::size_t k = 1; k < path.size(); ++k) {
         EXPECT_LT(std::hypot(path[k][0] - path[k - 1][0], path[k][1] - path[k - 1][1]), 0.1);
@@ -318,7 +322,7 @@ TEST(Grains, PathsDoNotJumpOverTheTorus) {
 TEST(Grains, KeepingPathsChangesNothing) {
   GrainRun plain({}, {40, 40});
   GrainRun watched({}, {40, 40});
-  watched.model.keep_paths(10);
+  watched.model.keep_trajectories(10);
   plain.steps(3, {250, 12});
   watched.steps(3, {250, 12});
   EXPECT_EQ(state_hash(plain.terrain), state_hash(watched.terrain));
@@ -329,11 +333,11 @@ TEST(Grains, PathsAreKeptUnderAnotherConfigToo) {
   config.grid.set("nx", std::int64_t{32});
   config.grid.set("ny", std::int64_t{32});
   sim::Simulation run(config);
-  run.keep_paths(10);
+  run.keep_trajectories(10);
   config.parameters.set("splash", 0.5);
   run.change(config);
   run.step();
-  EXPECT_GE(run.model().paths().size(), 10u);
+  EXPECT_GE(run.model().trajectories().size(), 10u);
 }
 
 struct GrainRun {
@@ -342,7 +346,7 @@ struct GrainRun {
   bool rocks = false;
 };
 
-std::uint64_t end_of(const GrainRun& scene, const ExecutorOptions& options) {
+std::uint64_t end_of(const GrainRun& scene, const compute::ExecutorOptions& options) {
   Terrain terrain = scene.world.strewn();
   if (scene.rocks) raise_rocks(terrain, 150);
   scene.world.run(terrain, options, 4);

@@ -14,6 +14,7 @@ using analysis::coarse_surface;
 using analysis::Layer;
 using analysis::measure_spectrum;
 using analysis::SpectrumNumbers;
+using forcing::WindInterval;
 using sim::Simulation;
 
 namespace {

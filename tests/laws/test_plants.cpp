@@ -15,6 +15,7 @@ using analysis::Dune;
 using analysis::DuneMeans;
 using analysis::find_dunes;
 using analysis::mean_of_dunes;
+using forcing::WindInterval;
 using sim::Config;
 using sim::set_from_text;
 using sim::Simulation;

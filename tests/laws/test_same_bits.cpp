@@ -8,6 +8,8 @@
 
 namespace erg::test {
 
+using compute::ExecutorOptions;
+using compute::InstructionSet;
 using sim::make_executor;
 
 namespace {
@@ -21,7 +23,7 @@ struct Case {
 
 std::vector<Case> cases() {
   std::vector<Case> all;
-  for (const ModelType& model : catalogue()) {
+  for (const models::ModelType& model : models::catalogue()) {
     const std::string key = model.info.key;
     if (!World{.model = key}.moves_slabs()) continue;  // test_grains.cpp
     all.push_back({key, {.model = key, .extent = {150, 90}}});
@@ -86,7 +88,7 @@ TEST(SameBits, WithEveryInstructionSet) {
   for (const Case& scene : cases()) {
     const std::uint64_t best = hash_of(scene, {.name = "cpu", .threads = 2, .lines_a_thread = 1});
     for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2}) {
-      if (set > best_instruction_set()) continue;
+      if (set > compute::best_instruction_set()) continue;
       EXPECT_EQ(hash_of(scene, {.name = "cpu", .threads = 2, .instructions = set, .lines_a_thread = 1}), best)
           << scene.name << ", " << to_string(set);
     }
@@ -140,7 +142,7 @@ Counted counted(const Case& scene, const ExecutorOptions& options, bool wanted =
   Counted result{Grid<std::int32_t>(scene.world.extent)};
   const auto executor = make_executor(options);
   if (wanted) executor->count_lifts(&result.lifts);
-  const StepReport report = scene.world.run(terrain, *executor, steps);
+  const models::StepReport report = scene.world.run(terrain, *executor, steps);
   result.hash = state_hash(terrain);
   if (!wanted) return result;
   const auto counts = result.lifts.cells();

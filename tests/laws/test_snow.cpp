@@ -143,7 +143,7 @@ TEST(SnowSintering, AGaleTurnsTheWavesOfAStormIntoSastrugi) {
   Config config =
       configured("snow_sintering", {"grid.nx=64", "grid.ny=64", "grid.cell_size=0.1", "scene.sand=40", "run.seed=2"});
   const auto season = [](double wind, std::int64_t steps, double snowfall) {
-    WindInterval one;
+    forcing::WindInterval one;
     one.first = one.last = wind;
     one.steps = steps;
     one.snowfall = snowfall;

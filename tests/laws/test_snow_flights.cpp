@@ -9,6 +9,10 @@
 #include "world.h"
 
 namespace erg::test {
+
+using compute::InstructionSet;
+using models::SnowLaw;
+
 namespace {
 
 /// Snow of half a metre with loose and bonded cells, in a wind that lifts both.
@@ -45,7 +49,7 @@ SnowLaw rough_law() {
   law.suspension = 0.05f;
   law.bonding = 0.02f;
   law.wind = 14;
-  for (int k = 0; k <= 8 * OctaveTable::octaves; ++k) {
+  for (int k = 0; k <= 8 * models::OctaveTable::octaves; ++k) {
     law.age_threshold.values[k] = 0.01f * static_cast<float>(k - 120);
     law.hop.values[k] = 0.001f * static_cast<float>(k);
     law.hardening.values[k] = 0.5f + 0.01f * static_cast<float>(k);
@@ -67,14 +71,14 @@ std::uint64_t hash_after_steps(InstructionSet instructions, const std::string& e
   for (std::size_t cell = 0; cell < terrain.mobile().size(); ++cell) {
     const std::int32_t loose =
         std::min(terrain.mobile()[cell] * static_cast<int>(cell % 3) / 2, terrain.mobile()[cell]);
-    snow_layer(fields, SnowLayer::bonded)[cell] = static_cast<float>(terrain.mobile()[cell] - loose);
+    models::snow_layer(fields, models::SnowLayer::bonded)[cell] = static_cast<float>(terrain.mobile()[cell] - loose);
   }
-  SnowStep snow{.law = rough_law(), .radii = {3, 10}, .shadow_fall = 5, .shows_strength = true};
+  models::SnowStep snow{.law = rough_law(), .radii = {3, 10}, .shadow_fall = 5, .shows_strength = true};
   const auto executor =
       sim::make_executor({.name = executor_name, .threads = 2, .sweeps = 4, .instructions = instructions});
   for (std::uint64_t step = 0; step < 5; ++step) {
     snow.law.now += snow.law.step_hours;
-    drift_snow(*executor, terrain, snow, {250, 14}, {3, step});
+    models::drift_snow(*executor, terrain, snow, {250, 14}, {3, step});
   }
   EXPECT_EQ(terrain.total_mobile(), terrain.ledger().expected());
   return state_hash(terrain);
@@ -84,7 +88,7 @@ TEST(SnowFlights, GiveTheSameBitsOnEveryInstructionSet) {
   for (const std::string executor : {"serial", "cpu"}) {
     const std::uint64_t expected = hash_after_steps(InstructionSet::portable, executor);
     for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
-      if (set > best_instruction_set()) continue;
+      if (set > compute::best_instruction_set()) continue;
       EXPECT_EQ(hash_after_steps(set, executor), expected) << executor << " " << to_string(set);
     }
   }
@@ -152,7 +156,7 @@ Account account(const std::string& executor, bool gale, int bearing) {
   }
   sim::Simulation simulation(config);
   for (int step = 0; step < 25; ++step) simulation.step();
-  const StepReport& report = simulation.totals();
+  const models::StepReport& report = simulation.totals();
   const Terrain& terrain = simulation.terrain();
   const auto cells = static_cast<double>(terrain.extent().cells());
   double bonded = 0;

@@ -8,6 +8,11 @@
 #include "world.h"
 
 namespace erg::test {
+
+using compute::ExecutorOptions;
+using models::catalogue;
+using models::ModelType;
+
 namespace {
 
 using Map = std::function<std::pair<int, int>(int x, int y, int side)>;

@@ -10,6 +10,9 @@
 
 namespace erg::test {
 
+using models::add_model;
+using models::catalogue;
+using models::find_model;
 using sim::Config;
 using sim::memory_of_run;
 

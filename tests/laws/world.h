@@ -17,7 +17,7 @@ namespace erg::test {
 /// An executor to loop over, with the name that a failing test shows.
 struct Machine {
   std::string name;
-  ExecutorOptions options;
+  compute::ExecutorOptions options;
 };
 
 inline std::vector<Machine> machines() {
@@ -32,7 +32,7 @@ struct World {
   Extent extent{48, 40};
   Boundary boundary = Boundary::torus;
   double inflow = 0;
-  Forcing wind{270, 5};
+  forcing::Forcing wind{270, 5};
   std::uint64_t seed = 7;
   std::vector<std::pair<std::string, ParameterValue>> settings = {};
   std::int32_t sand = 3;
@@ -52,7 +52,7 @@ struct World {
   }
 
   ParameterValues values() const {
-    ParameterValues values(find_model(model).parameters);
+    ParameterValues values(models::find_model(model).parameters);
     for (const auto& [key, value] : settings) {
       if (values.find(key) != nullptr) values.set(key, value);  // no model has all of them
     }
@@ -60,32 +60,33 @@ struct World {
   }
   /// False where the model does not know one of the settings.
   bool applies() const {
-    const ParameterValues declared(find_model(model).parameters);
+    const ParameterValues declared(models::find_model(model).parameters);
     return std::ranges::all_of(settings, [&](const auto& one) { return declared.find(one.first) != nullptr; });
   }
   bool moves_slabs() const { return values().find("slab_height") != nullptr; }
-  double quantum() const { return find_model(model).make(values())->quantum(); }
+  double quantum() const { return models::find_model(model).make(values())->quantum(); }
   /// Grains make ripples of centimetres.
   double cell_size() const { return moves_slabs() ? 1.0 : 0.01; }
   /// The wind as the model has it: cells a hop stand for m/s at a height of 10 m, within what nature has.
-  Forcing model_wind() const {
+  forcing::Forcing model_wind() const {
     if (model == "snow_sintering") return {wind.bearing, 14};
-    return moves_slabs() ? wind : Forcing{wind.bearing, std::clamp(1.6 * wind.strength, 8.0, 12.0)};
+    return moves_slabs() ? wind : forcing::Forcing{wind.bearing, std::clamp(1.6 * wind.strength, 8.0, 12.0)};
   }
 
   /// Runs `steps` steps and settles; the sum of what they did.
-  StepReport run(Terrain& terrain, const ExecutorOptions& options, int steps, int first_step = 0) const {
+  models::StepReport run(Terrain& terrain, const compute::ExecutorOptions& options, int steps,
+                         int first_step = 0) const {
     const auto executor = sim::make_executor(options);
     return run(terrain, *executor, steps, first_step);
   }
-  StepReport run(Terrain& terrain, Executor& executor, int steps, int first_step = 0) const {
-    const auto made = find_model(model).make(values());
+  models::StepReport run(Terrain& terrain, compute::Executor& executor, int steps, int first_step = 0) const {
+    const auto made = models::find_model(model).make(values());
     made->prepare({.seed = seed});
     made->begin(terrain);
-    StepReport total;
+    models::StepReport total;
     for (int step = first_step; step < first_step + steps; ++step) {
-      Forcing now = model_wind();
-      now.bearing = fold_bearing(now.bearing + wind_swing(spread, 0, seed, step));
+      forcing::Forcing now = model_wind();
+      now.bearing = fold_bearing(now.bearing + forcing::wind_swing(spread, 0, seed, step));
       total += made->step(terrain, now, {seed, static_cast<std::uint64_t>(step)}, executor);
     }
     executor.sync_to_host(terrain);

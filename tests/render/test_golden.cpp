@@ -58,7 +58,7 @@ const std::vector<Shot>& shots() {
 /// What leaves each cell of the terrain in some steps after Werner.
 Field flux_of(Terrain terrain) {
   sim::FluxWatch watch(terrain.extent());
-  const ModelType& type = find_model("werner");
+  const models::ModelType& type = models::find_model("werner");
   const auto model = type.make(ParameterValues(type.parameters));
   const auto executor = sim::make_executor({.name = "cpu", .threads = 1});
   executor->count_lifts(&watch.counts());
@@ -73,10 +73,11 @@ Field flux_of(Terrain terrain) {
 RgbImage shoot(const Shot& shot) {
   const Terrain terrain = landscape();
   render::TerrainView view = view_of(terrain);
-  const Field shadow = shadow_field(terrain, 270, shadow_fall(15, terrain.cell_size(), terrain.quantum()));
+  const Field shadow =
+      forcing::shadow_field(terrain, 270, forcing::shadow_fall(15, terrain.cell_size(), terrain.quantum()));
   static const Field flux = flux_of(terrain);
   view.fields = {&shadow, &flux};
-  view.paths = {{{10, 60, 4}, {14, 61, 7}, {18, 62, 8}, {24, 63, 7}, {30, 64, 9}}};
+  view.trajectories = {{{10, 60, 4}, {14, 61, 7}, {18, 62, 8}, {24, 63, 7}, {30, 64, 9}}};
   Look look;
   shot.change(look);
   Renderer renderer;

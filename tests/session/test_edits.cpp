@@ -246,7 +246,7 @@ TEST_F(EditsTest, AnotherConfigShowsTheSameTerrainWithoutACopy) {
 TEST_F(EditsTest, PaintingBeyondTheHighestGroundIsRefused) {
   runner.create({small_config()});
   const std::uint64_t before = hash();
-  runner.paint(0, {.x = 24.5, .y = 20.5, .radius = 3, .amount = highest_terrain}, 1);
+  runner.paint(0, {.x = 24.5, .y = 20.5, .radius = 3, .amount = models::highest_terrain}, 1);
   EXPECT_EQ(hash(), before);
   EXPECT_EQ(still()->undo_count, 0u);
   EXPECT_EQ(log.count(LogLevel::error), 1u);
@@ -311,7 +311,7 @@ TEST_F(EditsTest, ComparedRunsGoByOneClock) {
 
 TEST_F(EditsTest, ComparedRunsNeedOneWindAndAtMostFour) {
   Config other = small_config();
-  other.wind = WindSchedule::constant(180, 5);
+  other.wind = forcing::WindSchedule::constant(180, 5);
   runner.create({small_config(), other});
   EXPECT_FALSE(still()->has_runs());
   runner.create(std::vector<Config>(5, small_config()));

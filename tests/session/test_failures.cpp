@@ -11,6 +11,8 @@
 
 namespace erg {
 
+using models::SlabModel;
+using models::StepReport;
 using session::Activity;
 using sim::Config;
 
@@ -24,13 +26,13 @@ std::atomic<bool> begin_fails{false};
 /// Werner's model on a machine whose memory gives out: half way through a step, on the last thread of the executor.
 class Faulty : public SlabModel {
  public:
-  explicit Faulty(const SlabValues& values) : SlabModel({}, values) {}
+  explicit Faulty(const models::SlabValues& values) : SlabModel({}, values) {}
 
   void begin(Terrain& terrain) override {
     if (begin_fails) throw std::runtime_error("no memory to begin with");
     SlabModel::begin(terrain);
   }
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) override {
     const StepReport report = SlabModel::step(terrain, wind, key, executor);
     if (!step_fails) return report;
     executor.sync_to_host(terrain);
@@ -44,9 +46,11 @@ class Faulty : public SlabModel {
 
 Config faulty_config() {
   static const bool added = [] {
-    ModelType type = slab_model_type({.key = "faulty", .title = "Faulty"}, {});
-    type.make = [](const ParameterValues& values) { return std::make_unique<Faulty>(slab_binding({}).read(values)); };
-    add_model(std::move(type));
+    models::ModelType type = models::slab_model_type({.key = "faulty", .title = "Faulty"}, {});
+    type.make = [](const ParameterValues& values) {
+      return std::make_unique<Faulty>(models::slab_binding({}).read(values));
+    };
+    models::add_model(std::move(type));
     return true;
   }();
   static_cast<void>(added);

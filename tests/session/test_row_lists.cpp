@@ -13,6 +13,7 @@ namespace erg {
 
 using io::config_text;
 using io::parse_config;
+using models::ModelType;
 using sim::Config;
 using sim::set_from_text;
 
@@ -33,7 +34,7 @@ Parameter stones() {
 
 /// Werner's model with a list, which it does nothing with.
 ModelType stony_type() {
-  ModelType type = find_model("werner");
+  ModelType type = models::find_model("werner");
   type.info.key = "stony";
   Parameters declared = type.parameters;
   declared.push_back(stones());
@@ -43,7 +44,7 @@ ModelType stony_type() {
 
 class RowLists : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { add_model(stony_type()); }
+  static void SetUpTestSuite() { models::add_model(stony_type()); }
 
   static std::string mistakes(const std::string& list) {
     return message([&] { parse_config(text(list), "a.json"); });

@@ -13,6 +13,7 @@
 
 namespace erg {
 
+using forcing::WindSchedule;
 using io::config_text;
 using io::parse_config;
 using session::Comparison;
@@ -47,7 +48,7 @@ ParameterValue wrong_value(const Parameter& parameter) {
 }
 
 TEST(Setup, EveryValueOfEveryModelRefusesWhatIsOutOfRange) {
-  for (const ModelType& type : catalogue()) {
+  for (const models::ModelType& type : models::catalogue()) {
     erg::session::Setup setup{Config(type.info.key)};
     const Config before = setup.config();
     for (const std::string group : {"grid", "scene", "parameters", "run"}) {
@@ -135,12 +136,12 @@ TEST(Setup, TheTemperatureOfSnowIsEditedInItsRange) {
   setup.choose_material(Material::snow);
   ASSERT_EQ(setup.material(), Material::snow);
   const Config before = setup.config();
-  const Channel& temperature = *find_channel("temperature");
+  const forcing::Channel& temperature = *forcing::find_channel("temperature");
   EXPECT_TRUE(setup.set_course(temperature, {-20, 5, {}}).has_value());
   EXPECT_TRUE(setup.set_course(temperature, {-20, -4, {{0, 2}, {1, 1}}}).has_value());
   EXPECT_EQ(setup.config(), before);
   ASSERT_FALSE(setup.set_course(temperature, {-20, -4, {{0, 0}, {1, 1}}}).has_value());
-  const Course& now = setup.config().weather.temperature;
+  const forcing::Course& now = setup.config().weather.temperature;
   EXPECT_EQ(now.at(0), -20);
   EXPECT_NEAR(now.at(0.5), -12, 1e-9);
   EXPECT_EQ(now.at(1), -4);

@@ -36,7 +36,7 @@ const std::map<std::string, std::vector<std::string>>& source_tree() {
     const fs::path src = source_root() / "src";
     for (const auto& entry : fs::recursive_directory_iterator(src)) {
       const fs::path kind = entry.path().extension();
-      if (kind != ".h" && kind != ".cpp" && kind != ".inl" && kind != ".cu" && kind != ".def") continue;
+      if (kind != ".h" && kind != ".cpp" && kind != ".inl" && kind != ".cu" && kind != ".def" && kind != ".k") continue;
       all[entry.path().lexically_relative(src).generic_string()] = included_by(entry.path());
     }
     return all;

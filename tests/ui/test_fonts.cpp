@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "harness.h"
+#include "picture_of_gui.h"
 #include "ui/widgets/fonts.h"
 
 namespace erg::test {
@@ -62,6 +63,19 @@ TEST(Fonts, ALetterIsLoadedWhenItIsNeeded) {
   EXPECT_EQ(hand.gui().font_version(), loaded) << "once";
   hand.gui().set_scale(2);
   EXPECT_TRUE(has_glyph(hand, armenian)) << "in every size";
+}
+
+TEST(Fonts, EveryRendererDrawsTheSameLetters) {
+  std::string words = "Werner 1995";
+  UiHarness hand([&] { ImGui::GetForegroundDrawList()->AddText({20, 20}, 0xffffffff, words.c_str()); });
+  const auto picture = [&] {
+    hand.frames();
+    return picture_of_gui(hand.gui(), ImGui::GetIO().DisplaySize).pixels;
+  };
+  const auto first = picture();
+  EXPECT_EQ(picture(), first);
+  words = "Momiji 2000";
+  EXPECT_NE(picture(), first) << "which shows letters at all";
 }
 
 TEST(Fonts, ALetterThatNoFontHasIsNamedOnce) {

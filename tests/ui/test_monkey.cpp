@@ -21,7 +21,7 @@ namespace {
 /// One small preset a model, for the gallery.
 void write_small_presets(const std::filesystem::path& folder) {
   std::filesystem::create_directory(folder);
-  for (const ModelType& type : catalogue()) {
+  for (const models::ModelType& type : models::catalogue()) {
     sim::Config config(type.info.key);
     config.title = "small " + type.info.key;
     config.description = "Small.";

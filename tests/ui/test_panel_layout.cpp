@@ -16,6 +16,7 @@
 
 namespace erg::test {
 
+using forcing::WindInterval;
 using io::write_png;
 using picture::RgbImage;
 using session::AppFolders;
@@ -97,7 +98,7 @@ TEST(PanelLayout, NoPanelIsCutOffAtTheSide) {
     }
     if (title == "TEMPERATURE") {
       panel.app.setup().choose_model("snow_packing");
-      panel.app.setup().set_course(*find_channel("temperature"), {-20, -2, {{0.5, 0.05}, {0.6, 0.9}}});
+      panel.app.setup().set_course(*forcing::find_channel("temperature"), {-20, -2, {{0.5, 0.05}, {0.6, 0.9}}});
     }
     if (title == "COMPARE") {
       panel.hand.click("ADD A COPY");

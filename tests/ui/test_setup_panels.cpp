@@ -1,7 +1,9 @@
 // SETUP and WIND by hand; what the setup received is checked.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <set>
+#include <thread>
 
 #include "models/model.h"
 #include "panel_hand.h"
@@ -9,6 +11,10 @@
 
 namespace erg::test {
 
+using forcing::interval_columns;
+using forcing::WindInterval;
+using forcing::WindSchedule;
+using models::ModelType;
 using session::SetupRow;
 using ui::make_setup_panel;
 using ui::make_wind_panel;
@@ -36,7 +42,7 @@ TEST(SetupPanel, EveryDeclaredValueOfTheModelHasItsRow) {
 
 TEST(SetupPanel, ChoosesTheModelAndShowsOnlyItsValues) {
   PanelHand panel(make_setup_panel());
-  const ModelType& wanted = find_model("werner");
+  const ModelType& wanted = models::find_model("werner");
   panel.hand.click("SETUP/model");
   panel.hand.click("model=" + wanted.info.title);
   EXPECT_EQ(panel.app.setup().config().model, "werner");
@@ -65,6 +71,25 @@ TEST(SetupPanel, CreateMakesTheTerrain) {
   ASSERT_TRUE(panel.app.now().has_runs());
   EXPECT_EQ(panel.app.now().runs.front().terrain->nx(), 32);
   EXPECT_FALSE(panel.app.create_needed());
+}
+
+TEST(SetupPanel, WhatWillCrawlSaysSoAndMovesNoRow) {
+  PanelHand panel(make_setup_panel());
+  panel.app.setup().choose_model("grains");
+  panel.app.setup().set("run", "executor", std::string("serial"));
+  panel.hand.frames(2);
+  const float before = panel.hand.place("SETUP/model").low.y;
+  EXPECT_FALSE(panel.hand.has("SETUP/cost"));
+  panel.app.setup().set("grid", "nx", std::int64_t{4096});
+  panel.app.setup().set("grid", "ny", std::int64_t{4096});
+  for (int wait = 0; wait < 3000 && !panel.hand.has("SETUP/cost"); ++wait) {  // 64 x 64 of its cells are measured
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    panel.hand.frames();
+  }
+  ASSERT_TRUE(panel.hand.has("SETUP/cost"));
+  const ui::WidgetPlace cost = panel.hand.place("SETUP/cost");
+  EXPECT_LE(cost.high.y - cost.low.y, 1.5f * ImGui::GetTextLineHeight()) << "one line";
+  EXPECT_EQ(panel.hand.place("SETUP/model").low.y, before);
 }
 
 TEST(SetupPanel, AFreshSeedIsDrawnWithEachCreate) {
@@ -117,7 +142,7 @@ TEST(WindPanel, AConstantWindIsTurnedAndStrengthened) {
 TEST(WindPanel, ASpreadIsSetTakenBackAndSwitchedOff) {
   PanelHand panel(make_wind_panel());
   const auto season = [&]() -> const WindInterval& { return panel.app.setup().config().wind.intervals.front(); };
-  EXPECT_EQ(season().spread, natural_spread);
+  EXPECT_EQ(season().spread, models::natural_spread);
   panel.hand.enter("WIND/" + interval_columns().find("spread")->label, "25");
   panel.hand.enter("WIND/" + interval_columns().find("hold")->label, "9");
   EXPECT_EQ(season().spread, 25);

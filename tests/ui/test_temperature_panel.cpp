@@ -5,6 +5,7 @@
 
 namespace erg::test {
 
+using forcing::interval_columns;
 using ui::make_temperature_panel;
 using ui::make_wind_panel;
 
@@ -26,7 +27,7 @@ TEST(TemperaturePanel, EndsAreTypedAndTheCurveBetweenThemIsBent) {
   EXPECT_FALSE(panel.hand.has("TEMPERATURE/curve/box"));  // nothing to bend while both ends are alike
   panel.hand.enter("TEMPERATURE/at the start", "-20");
   panel.hand.enter("TEMPERATURE/at the end", "-5");
-  const Course& now = panel.app.setup().config().weather.temperature;
+  const forcing::Course& now = panel.app.setup().config().weather.temperature;
   EXPECT_EQ(now.first, -20);
   EXPECT_EQ(now.last, -5);
   const ui::WidgetPlace box = panel.hand.place("curve/box");

@@ -8,6 +8,13 @@
 #include "core/errors.h"
 
 namespace erg {
+
+using forcing::bearing_of;
+using forcing::compass_name;
+using forcing::Direction;
+using forcing::downwind;
+using forcing::parse_bearing;
+
 namespace {
 
 TEST(Bearing, AxisWindsAreExact) {

@@ -38,7 +38,7 @@ void expect_change_is_resume(const Config& before, const Config& after, const st
   Simulation changed(before);
   for (int step = 0; step < 2; ++step) changed.step();
   Simulation resumed(after, changed.state());
-  const Executor* executor = &changed.executor();
+  const compute::Executor* executor = &changed.executor();
   changed.change(after);
   for (int step = 0; step < 2; ++step) {
     changed.step();

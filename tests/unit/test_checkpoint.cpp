@@ -152,7 +152,7 @@ TEST(Checkpoint, SandThatDoesNotAddUpIsRefused) {
   EXPECT_THROW(read_checkpoint(folder / "c.erg"), InputError);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these take memory of their own
+#if !defined(ERG_SANITIZE_ADDRESS) && !defined(ERG_SANITIZE_THREAD)  // these take memory of their own
 
 TEST(Checkpoint, OneWhoseRunWouldNotFitIsRefusedBeforeItsLayersAreRead) {
   const TemporaryFolder folder;

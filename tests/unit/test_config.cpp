@@ -10,8 +10,10 @@
 
 namespace erg {
 
+using forcing::WindInterval;
 using io::config_text;
 using io::parse_config;
+using models::natural_spread;
 using sim::change_model;
 using sim::Config;
 using sim::model_keys;
@@ -32,7 +34,7 @@ TEST(Config, EveryModelHasAConfigOfDefaults) {
   for (const std::string& key : model_keys()) {
     const Config config(key);
     EXPECT_EQ(config.model, key);
-    EXPECT_EQ(config.parameters, ParameterValues(find_model(key).parameters));
+    EXPECT_EQ(config.parameters, ParameterValues(models::find_model(key).parameters));
   }
   EXPECT_EQ(Config().model, "momiji");
   EXPECT_THROW(Config("moniji"), InputError);
@@ -62,7 +64,7 @@ TEST(Config, EveryDeclarationIsSound) {
 
 // The terrain counts its heights in it.
 TEST(Config, NoChangeOfARunChangesTheHeightOfItsSlabs) {
-  for (const ModelType& type : catalogue()) {
+  for (const models::ModelType& type : models::catalogue()) {
     const double quantum = type.make(ParameterValues(type.parameters))->quantum();
     for (const Parameter& parameter : type.parameters) {
       if (parameter.at_start || parameter.kind() != ParameterKind::real) continue;
@@ -157,7 +159,7 @@ TEST(Config, WeatherThatTheModelDoesNotAskForIsRefusedAndNotWritten) {
   EXPECT_EQ(parse_config(config_text(config), "a.json"), config);
   change_model(config, "momiji");
   const Config read = parse_config(config_text(config), "a.json");
-  EXPECT_EQ(read.weather, Weather{});
+  EXPECT_EQ(read.weather, forcing::Weather{});
   EXPECT_EQ(read.wind.intervals.front().snowfall, 0);
 }
 

@@ -12,10 +12,12 @@
 
 namespace erg {
 
+using forcing::WindInterval;
 using io::config_text;
 using io::parse_config;
 using io::read_config;
 using io::write_config;
+using models::natural_spread;
 using sim::Config;
 using sim::model_keys;
 
@@ -89,7 +91,7 @@ TEST_F(ConfigFile, WhatIsLeftOutIsAsTheModelStarts) {
   EXPECT_EQ(bare, Config("grains"));
   EXPECT_EQ(bare.grid.real("cell_size"), 0.01);
   EXPECT_EQ(bare.scene.real("sand"), 200);
-  EXPECT_EQ(bare.wind, WindSchedule::constant(270, 10));
+  EXPECT_EQ(bare.wind, forcing::WindSchedule::constant(270, 10));
   const Config south =
       parse_config(R"({"erg": 1, "model": "grains", "wind": {"seasons": [{"bearing": 180}, {"first": 7}]}})", "a.json");
   EXPECT_EQ(south.wind.intervals[0], (WindInterval{180, 10, 10, 1, {}}));
@@ -434,7 +436,8 @@ TEST_F(ConfigFile, TheSchemaFollowsFromTheDeclarations) {
   expect_group(schema["properties"]["grid"], sim::grid_parameters());
   expect_group(schema["properties"]["scene"], sim::scene_parameters());
   expect_group(schema["properties"]["run"], sim::run_parameters());
-  for (const ModelType& type : catalogue()) expect_group(schema["$defs"][type.info.key], type.parameters);
+  for (const models::ModelType& type : models::catalogue())
+    expect_group(schema["$defs"][type.info.key], type.parameters);
 }
 
 }  // namespace

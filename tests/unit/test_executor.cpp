@@ -10,6 +10,7 @@
 
 namespace erg {
 
+using compute::WorkQueue;
 using sim::FluxWatch;
 using sim::make_executor;
 using sim::Simulation;

@@ -91,7 +91,7 @@ TEST(TableOfAnotherRun, IsNotGoneOnWith) {
   other = config;
   other.run.set("steps", std::int64_t{5000});
   other.run.set("executor", std::string("serial"));
-  other.wind = WindSchedule::constant(90, 7);
+  other.wind = forcing::WindSchedule::constant(90, 7);
   EXPECT_EQ(resumed(folder / "t.csv", other), "no error");
   // A table without a head tells nothing.
   write_bytes(folder / "bare.csv", "step\n0\n");
@@ -102,7 +102,7 @@ TEST(TableOfAnotherRun, IsKnownByAConfigThatLiesBesideIt) {
   const TemporaryFolder folder;
   Config config;
   for (int k = 0; k < 500; ++k) {
-    WindInterval season;
+    forcing::WindInterval season;
     season.bearing = k % 360;
     season.first = season.last = 4;
     config.wind.intervals.push_back(season);

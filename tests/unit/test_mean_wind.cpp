@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 namespace erg {
+
+using forcing::resultant_bearing;
+using forcing::WindSchedule;
+
 namespace {
 
-WindInterval season(double bearing, double first, double last, std::int64_t steps, BezierCurve curve = {}) {
+forcing::WindInterval season(double bearing, double first, double last, std::int64_t steps, BezierCurve curve = {}) {
   return {.bearing = bearing, .first = first, .last = last, .steps = steps, .curve = curve};
 }
 
@@ -18,7 +22,7 @@ TEST(MeanWind, IsTheMeanOverAllStepsOfACycle) {
         WindSchedule{{season(270, 2, 12, 3000, early), season(180, 0.1, 0.1, 500)}}}) {
     double sum = 0;
     for (std::int64_t step = 0; step < wind.cycle(); ++step) sum += wind.at(step).strength;
-    EXPECT_NEAR(mean_strength(wind), sum / static_cast<double>(wind.cycle()), 0.01);
+    EXPECT_NEAR(forcing::mean_strength(wind), sum / static_cast<double>(wind.cycle()), 0.01);
   }
 }
 

@@ -64,7 +64,7 @@ void go_on(const std::filesystem::path& path) {
 // The checksum is right: what it does not find is to be found.
 TEST(MutatedFiles, ACheckpointIsRefusedOrGoneOnFrom) {
   const TemporaryFolder folder;
-  for (const ModelType& type : catalogue()) {
+  for (const models::ModelType& type : models::catalogue()) {
     const std::string bytes = checkpoint_of(type.info.key, folder / "a.erg");
     ASSERT_EQ(message([&] { go_on(folder / "a.erg"); }), "no error");
     test::Mutator mutator(1);

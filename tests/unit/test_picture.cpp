@@ -14,6 +14,7 @@
 
 namespace erg {
 
+using forcing::Forcing;
 using io::draw_picture;
 using io::legend_height;
 using io::PictureOptions;

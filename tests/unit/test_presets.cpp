@@ -103,7 +103,8 @@ TEST(Presets, PublishedRunsHaveThePrintedSettings) {
     EXPECT_EQ(config.run.integer("steps"), run.steps);
     ASSERT_EQ(config.wind.intervals.size(), run.bearings.size());
     for (std::size_t i = 0; i < run.bearings.size(); ++i) {
-      EXPECT_EQ(config.wind.intervals[i], (WindInterval{run.bearings[i], run.strength, run.strength, run.season, {}}));
+      EXPECT_EQ(config.wind.intervals[i],
+                (forcing::WindInterval{run.bearings[i], run.strength, run.strength, run.season, {}}));
     }
   }
 }
@@ -125,7 +126,7 @@ TEST(Presets, SzaboHasThreeWindsAndFourGrounds) {
     EXPECT_EQ(config.grid.integer("ny"), 256);
     EXPECT_EQ(config.scene.text("kind"), kind);
     EXPECT_EQ(config.scene.real("sand"), 500);
-    EXPECT_EQ(config.wind, WindSchedule::constant(270, wind));
+    EXPECT_EQ(config.wind, forcing::WindSchedule::constant(270, wind));
   }
 }
 

@@ -25,6 +25,8 @@
 namespace erg {
 
 using analysis::find_dunes;
+using models::catalogue;
+using models::ModelType;
 using sim::Config;
 using sim::HeightPicture;
 using sim::RunState;

@@ -27,7 +27,7 @@ Simulation barchan(double bearing) {
        {"nx=96", "ny=96", "scene.kind=cone", "sand=0", "scene.height=8", "executor=cpu", "threads=1"}) {
     sim::set_from_text(config, setting);
   }
-  config.wind = WindSchedule::constant(bearing, 5);
+  config.wind = forcing::WindSchedule::constant(bearing, 5);
   Simulation simulation(config);
   for (int step = 0; step < 60; ++step) simulation.step();
   return simulation;

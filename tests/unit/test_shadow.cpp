@@ -8,6 +8,10 @@
 #include "core/random.h"
 
 namespace erg {
+
+using forcing::shadow_fall;
+using forcing::shadow_map;
+
 namespace {
 
 Terrain rough_terrain(Extent extent, Boundary boundary, std::uint32_t range) {

@@ -15,6 +15,7 @@
 
 namespace erg {
 
+using models::move_slabs;
 using sim::Config;
 using sim::make_executor;
 using sim::Simulation;
@@ -128,8 +129,8 @@ TEST(Stamp, OfACoverDoesNotHideAnotherReposeFromAnExecutor) {
     Terrain terrain({40, 30}, 1, 1);
     for (int x = 10; x < 20; ++x) terrain.edit_mobile()(x, 12) = 30;
     terrain.open_ledger();
-    Cover cover{CoverField(terrain.extent(), 128)};
-    SlabLaw law;
+    models::Cover cover{models::CoverField(terrain.extent(), 128)};
+    models::SlabLaw law;
     law.cover = &cover;
     law.covered = {20, 28};
     auto executor = make_executor({.name = "cpu", .threads = 1});

@@ -9,6 +9,8 @@
 
 namespace erg {
 
+using forcing::WindInterval;
+using forcing::WindSchedule;
 using sim::Config;
 using sim::days_after;
 using sim::step_scale;
@@ -19,7 +21,7 @@ namespace {
 TEST(StepTime, OfSlabModelsFollowsFromTheSandThatPasses) {
   for (const char* model : {"werner", "momiji", "bishop"}) {
     Config config(model);
-    const StepScale scale = step_scale(config);
+    const models::StepScale scale = step_scale(config);
     EXPECT_NEAR(scale.flux, 5 / 0.6 / 3, 1e-9) << "5 cells over .6, slabs of a third of a metre, cells of 1 m";
     EXPECT_NEAR(scale.seconds, scale.flux / 50 * seconds_a_year, 1e-3);
     config.parameters.set("sand_flux", 100.0);

@@ -11,20 +11,25 @@
 #include "models/slab/slab_law.h"
 
 namespace erg {
+
+using forcing::WindFrame;
+using models::longest_shadow;
+using models::SubSweep;
+
 namespace {
 
 /// The column that a line meets in a row, which may lie upwind of the grid.
 std::int64_t column(const SubSweep& sweep, const WindFrame& frame, std::int64_t row) {
-  const std::int64_t moved = line_offset(row, sweep.drift, sweep.phase, frame.length) % frame.width;
+  const std::int64_t moved = models::line_offset(row, sweep.drift, sweep.phase, frame.length) % frame.width;
   return (moved + frame.width) % frame.width;
 }
 
 TEST(SubSweep, ALineOfATorusIsBackAfterRowsAround) {
   for (const Extent extent : {Extent{20, 20}, Extent{64, 48}, Extent{21, 50}, Extent{1, 7}, Extent{9, 14}}) {
     for (const double bearing : {270.0, 275.0, 290.0, 315.0, 10.0, 200.5}) {
-      const WindFrame frame = wind_frame(extent, bearing);
+      const WindFrame frame = forcing::wind_frame(extent, bearing);
       for (int number = 0; number < 8; ++number) {
-        const SubSweep sweep = sub_sweep(SlabLaw{}, frame, false, {5, 3}, {.sweep = number}, 16, {});
+        const SubSweep sweep = models::sub_sweep(models::SlabLaw{}, frame, false, {5, 3}, {.sweep = number}, 16, {});
         EXPECT_EQ(sweep.rows_around % frame.length, 0);
         EXPECT_LE(sweep.rows_around, std::int64_t{frame.length} * std::min(frame.width, longest_shadow));
         if (sweep.rows_around == std::int64_t{frame.length} * longest_shadow) continue;  // cut off

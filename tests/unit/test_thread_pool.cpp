@@ -12,6 +12,9 @@
 #include "sim/make_executor.h"
 
 namespace erg {
+
+using compute::ThreadPool;
+
 namespace {
 
 /// Runs a job of 20 meetings in which `wrong` throws before the meeting `when`; what comes out of it.

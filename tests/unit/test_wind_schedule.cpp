@@ -5,6 +5,11 @@
 #include <cmath>
 
 namespace erg {
+
+using forcing::Forcing;
+using forcing::WindInterval;
+using forcing::WindSchedule;
+
 namespace {
 
 WindInterval season(double bearing, double first, double last, std::int64_t steps) {

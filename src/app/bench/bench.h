@@ -35,7 +35,7 @@ inline constexpr int bench_turns = 20;
 /// One measured executor on one scene.
 struct BenchRow {
   std::string model;
-  std::string scene;  ///< "dunes", "oblique wind", "cover", "obstacles", "waves", "sastrugi"
+  std::string scene;  ///< of ModelInfo::bench_scenes
   int nx = 0;
   int ny = 0;
   std::string executor;
@@ -49,8 +49,8 @@ struct BenchRow {
   std::uint64_t hash = 0;              ///< of the terrain after the same few steps in every row of a scene
 };
 
-/// Measures laws of slabs by themselves and whole steps of other models, without statistics and files; says on standard
-/// error what it is at. Throws InputError for unknown models.
+/// Measures whole steps of models, without statistics and files; says on standard error what it is at. Throws
+/// InputError for unknown models.
 std::vector<BenchRow> run_bench(const BenchOptions& options);
 
 }  // namespace erg::app

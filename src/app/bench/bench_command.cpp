@@ -16,12 +16,14 @@
 #include "core/number_text.h"
 #include "core/terrain.h"
 #include "forcing/bearing.h"
-#include "models/grains/grains.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "sim/make_executor.h"
 
 namespace erg::app {
+
+using models::ModelType;
+
 namespace {
 
 std::string json_text(const std::vector<BenchRow>& rows, const std::vector<GrainBenchRow>& grain_rows) {
@@ -71,20 +73,16 @@ std::string table_text(const std::vector<BenchRow>& rows, const std::string& exe
          " turns. Ratios are medians over the turns; of plain: to the same executor on the\nmodel's first scene.\n";
 }
 
-bool flies_grains(const ModelType& type) {
-  const auto made = type.make(ParameterValues(type.parameters));
-  return dynamic_cast<const GrainModel*>(made.get()) != nullptr;
-}
-
 /// Takes the models of single grains out of those to measure and returns them. When none is named, all are measured.
 std::vector<std::string> take_grain_models(BenchOptions& options) {
   std::vector<std::string> wanted = options.models;
   if (wanted.empty()) {
-    for (const ModelType& type : catalogue()) wanted.push_back(type.info.key);
+    for (const ModelType& type : models::catalogue()) wanted.push_back(type.info.key);
   }
   options.models.clear();
   std::vector<std::string> grain_models;
-  for (const std::string& key : wanted) (flies_grains(find_model(key)) ? grain_models : options.models).push_back(key);
+  for (const std::string& key : wanted)
+    (models::find_model(key).info.moves_grains ? grain_models : options.models).push_back(key);
   return grain_models;
 }
 
@@ -160,7 +158,7 @@ void add_bench_command(CLI::App& program, Action& action) {
         std::cout << "skipped: " << why << "\n";
         return exit_done;
       }
-      options->bench.bearing = parse_bearing(options->bearing, "--bearing");
+      options->bench.bearing = forcing::parse_bearing(options->bearing, "--bearing");
       const std::vector<std::string> grain_models = take_grain_models(options->bench);
       const bool slabs = !options->bench.models.empty();
       const std::vector<BenchRow> rows = slabs ? run_bench(options->bench) : std::vector<BenchRow>{};

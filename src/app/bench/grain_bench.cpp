@@ -8,7 +8,7 @@
 
 #include "app/bench/bench.h"
 #include "app/cli/text_table.h"
-#include "models/grains/grains.h"
+#include "models/model.h"
 #include "sim/simulation.h"
 
 namespace erg::app {
@@ -19,6 +19,14 @@ constexpr int measured_steps = 6;
 constexpr int largest_bench_side = 256;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// A number that the model tells of its last step; 0 where it does not.
+double read(const models::Model& model, const std::string& key) {
+  for (const models::Diagnostic& diagnostic : model.diagnostics()) {
+    if (diagnostic.key == key) return diagnostic.value;
+  }
+  return 0;
+}
 
 /// An executor at work on a bed of its own.
 class GrainContestant {
@@ -39,8 +47,7 @@ class GrainContestant {
     const auto polls = static_cast<double>(simulation_.step().polls);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const double processor = processor_seconds() - processor_start;
-    const auto& grain_model = dynamic_cast<const GrainModel&>(simulation_.model());
-    const auto grain_steps = static_cast<double>(grain_model.flights().grain_steps);
+    const double grain_steps = read(simulation_.model(), "grain_steps");
     row_.polls_per_second = std::max(row_.polls_per_second, polls / seconds);
     row_.grain_steps_per_second = std::max(row_.grain_steps_per_second, grain_steps / seconds);
     row_.grain_steps_per_cpu_second = std::max(row_.grain_steps_per_cpu_second, grain_steps / processor);

@@ -18,18 +18,17 @@ struct ModelScene {
   sim::RunState grown;
 };
 
-/// Grows the scenes of a model that does more than to hand over a law of slabs: plants and snow. The first is the plain
-/// one. Says on standard error what it is at.
-std::vector<ModelScene> grow_scenes(const std::string& model, const BenchOptions& options);
+/// Grows the scenes of a model (ModelInfo::bench_scenes). Says on standard error what it is at.
+std::vector<ModelScene> grow_scenes(const models::ModelType& model, const BenchOptions& options);
 
 /// A run that goes on from a scene on an executor; where nothing moves any more it begins anew.
 class ModelRun {
  public:
-  ModelRun(const ModelScene& scene, const ExecutorOptions& options);
+  ModelRun(const ModelScene& scene, const compute::ExecutorOptions& options);
   /// One step; its polls.
   std::int64_t step();
   const Terrain& terrain() { return simulation_->terrain(); }
-  Executor& executor() { return simulation_->executor(); }
+  compute::Executor& executor() { return simulation_->executor(); }
 
  private:
   void begin();

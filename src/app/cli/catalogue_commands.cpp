@@ -12,6 +12,10 @@
 #include "sim/step_time.h"
 
 namespace erg::app {
+
+using models::ModelInfo;
+using models::ModelType;
+
 namespace {
 
 std::string condition_text(const Parameter& parameter) {
@@ -41,7 +45,7 @@ TextTable field_table(const std::vector<FieldInfo>& fields) {
 }
 
 /// With what a config begins that says nothing but its model.
-std::string start_text(const ModelStart& start) {
+std::string start_text(const models::ModelDefaults& start) {
   const std::string swing = start.spread > 0 ? " that swings by " + value_text(start.spread) + "°" : "";
   return "cells of " + value_text(start.cell_size) + " m, a wind of strength " + value_text(start.strength) + swing +
          ", " + value_text(start.sand) + " slabs a cell";
@@ -54,13 +58,14 @@ std::string weather_text(const ModelInfo& info) {
 ExitCode print_models() {
   TextTable table;
   table.heading = {"model", "title", "makes"};
-  for (const ModelType& type : catalogue()) table.rows.push_back({type.info.key, type.info.title, type.info.makes});
+  for (const ModelType& type : models::catalogue())
+    table.rows.push_back({type.info.key, type.info.title, type.info.produces});
   std::cout << table.aligned();
   return exit_done;
 }
 
 ExitCode print_model(const std::string& key, bool markdown) {
-  const ModelType& type = find_model(key);
+  const ModelType& type = models::find_model(key);
   const ModelInfo& info = type.info;
   const std::vector<std::string> meanings = sim::explain(sim::Config(type));
   const char* bullet = markdown ? "- " : "  ";
@@ -68,8 +73,8 @@ ExitCode print_model(const std::string& key, bool markdown) {
   std::cout << (markdown ? "# " : "") << info.title << " (`" << info.key << "`)\n\n";
   if (markdown) std::cout << "Made by `erg model " << key << " --markdown`; the program declares all of it.\n\n";
   std::cout << bullet << "Published in: " << info.citation << "\n"
-            << bullet << "Makes: " << info.makes << "\n"
-            << bullet << "Leaves out: " << info.leaves_out << "\n"
+            << bullet << "Makes: " << info.produces << "\n"
+            << bullet << "Leaves out: " << info.limitations << "\n"
             << bullet << "A time step: " << info.step << "\n"
             << bullet << "Wind strength: " << info.strength_label << "\n"
             << bullet << "Asks for, besides the wind: " << weather_text(info) << "\n"

@@ -42,7 +42,7 @@ ExitCode check_config(const std::string& name) {
   Config config = read_config(path, &notes);
   io::take_grid_from_picture(config);
   try_start(config, io::read_pictures(config, &notes), notes);
-  const ModelType& type = find_model(config.model);
+  const models::ModelType& type = models::find_model(config.model);
   std::cout << path << ": good; " << type.info.title << ", " << config.grid.integer("nx") << " x "
             << config.grid.integer("ny") << " cells, " << config.run.integer("steps") << " steps\n";
   for (const std::string& meaning : sim::explain(config)) std::cout << "  " << meaning << "\n";

@@ -23,7 +23,7 @@ constexpr std::int64_t look_every = 5;  // steps: dunes move less than half thei
 
 double DuneWatch::bearing() const {
   if (options_.bearing) return *options_.bearing;
-  return resultant_bearing(simulation_.config().wind).value_or(simulation_.last_wind().mean_bearing());
+  return forcing::resultant_bearing(simulation_.config().wind).value_or(simulation_.last_wind().mean_bearing());
 }
 
 analysis::DuneOutlines DuneWatch::outlines() {

@@ -118,7 +118,8 @@ void add_measure_command(CLI::App& program, Action& action) {
   command->add_option("--smallest", request->watch.smallest, "Cells from which on a patch of such sand is a dune (30)")
       ->check(CLI::PositiveNumber);
   command->add_option_function<std::string>(
-      "--bearing", [request](const std::string& text) { request->watch.bearing = parse_bearing(text, "--bearing"); },
+      "--bearing",
+      [request](const std::string& text) { request->watch.bearing = forcing::parse_bearing(text, "--bearing"); },
       "Measure along a wind from this bearing (default: where the config's wind comes from on the mean)");
   CLI::Option* const json = command->add_flag("--json", request->json, "Print everything as JSON");
   CLI::Option* const csv = command->add_flag("--csv", request->csv, "Print a row for each dune and moment as CSV");

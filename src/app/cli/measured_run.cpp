@@ -18,11 +18,13 @@ namespace erg::app {
 
 using analysis::coarse_surface;
 using analysis::Layer;
+using models::StepReport;
 using sim::Simulation;
 
 namespace {
 
 constexpr std::int64_t longest_watch = 500;       // steps
+constexpr int most_blocks = 512;                  // a side: enough for where whole dunes stand
 constexpr std::int64_t longest_watch_pause = 10;  // steps: dunes move less than a cell a step
 
 }  // namespace
@@ -52,7 +54,9 @@ void MeasuredRun::observe() {
   const std::int64_t step = simulation_.step_count();
   if (!watch_migration_ || step < watch_from_) return;
   if ((last_step_ - step) % watch_every_ != 0) return;
-  migration_.observe(step, coarse_surface(simulation_.terrain(), Layer::surface));
+  const Terrain& terrain = simulation_.terrain();
+  const Extent blocks{std::min(terrain.nx(), most_blocks), std::min(terrain.ny(), most_blocks)};
+  migration_.observe(step, coarse_surface(terrain, Layer::surface, blocks), simulation_.share_work());
 }
 
 RunStatistics MeasuredRun::statistics() {
@@ -60,13 +64,15 @@ RunStatistics MeasuredRun::statistics() {
   RunStatistics numbers;
   numbers.shape = analysis::measure(terrain);
   const double fall = simulation_.model().shadow_fall(terrain.cell_size());
-  numbers.shadow_fraction = analysis::shadow_fraction(shadow_map(terrain, simulation_.last_wind().bearing, fall));
+  numbers.shadow_fraction =
+      analysis::shadow_fraction(forcing::shadow_map(terrain, simulation_.last_wind().bearing, fall));
   const analysis::CoarseSurface surface = coarse_surface(terrain, Layer::surface);
-  numbers.spectrum = analysis::measure_spectrum(surface);
-  numbers.crest_spacing = analysis::crest_spacing(surface, simulation_.last_wind().mean_bearing());
+  numbers.spectrum = analysis::measure_spectrum(surface, simulation_.share_work());
+  numbers.crest_spacing =
+      analysis::crest_spacing(surface, simulation_.last_wind().mean_bearing(), simulation_.share_work());
   numbers.migration = migration_.velocity().value_or(analysis::Shift{});
   numbers.totals = simulation_.totals();
-  numbers.readings = simulation_.model().readings();
+  numbers.diagnostics = simulation_.model().diagnostics();
   const auto cell_steps = static_cast<double>(terrain.extent().cells()) * static_cast<double>(simulation_.step_count());
   numbers.flux = cell_steps > 0 ? numbers.totals.travel / cell_steps : 0;
   numbers.ledger = terrain.ledger();
@@ -122,7 +128,7 @@ void add_run(NumbersWithUnits& all, Simulation& simulation) {
   all.add("seed", "", config.run.integer("seed"));
   all.add("executor", "", simulation.executor().name());
   all.add("threads", "1", simulation.executor().threads());
-  all.add("instructions", "", to_string(wanted_instruction_set()));
+  all.add("instructions", "", compute::to_string(compute::wanted_instruction_set()));
   all.add("sweeps", "1", config.run.integer("sweeps"));
 }
 
@@ -156,8 +162,8 @@ std::string statistics_json(Simulation& simulation, const RunStatistics& numbers
   NumbersWithUnits all;
   add_run(all, simulation);
   add_numbers(all, numbers);
-  for (const Reading& reading : numbers.readings) {
-    all.add(reading.key, reading.unit.empty() ? "1" : reading.unit.c_str(), reading.value);
+  for (const models::Diagnostic& diagnostic : numbers.diagnostics) {
+    all.add(diagnostic.key, diagnostic.unit.empty() ? "1" : diagnostic.unit.c_str(), diagnostic.value);
   }
   if (simulation.finished()) all.add("why_finished", "", simulation.totals().why_finished);
   nlohmann::ordered_json object = all.finish();

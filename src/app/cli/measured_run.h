@@ -19,9 +19,9 @@ struct RunStatistics {
   analysis::SpectrumNumbers spectrum;  ///< of the surface
   double crest_spacing = 0;            ///< cells, along the last wind; see analysis/crests.h
   analysis::Shift migration;           ///< cells a step over the last part of the run; 0 for a flat surface
-  double flux = 0;                ///< slabs per step that pass one cell of a line across the wind, mean since step 0
-  StepReport totals;              ///< since step 0
-  std::vector<Reading> readings;  ///< the model's own
+  double flux = 0;            ///< slabs per step that pass one cell of a line across the wind, mean since step 0
+  models::StepReport totals;  ///< since step 0
+  std::vector<models::Diagnostic> diagnostics;  ///< the model's own
   MassLedger ledger;
   std::int64_t mass_now = 0;    ///< slabs on the grid, counted
   std::uint64_t hash = 0;       ///< state_hash
@@ -39,7 +39,7 @@ class MeasuredRun {
   /// True when the last step is done or nothing can move any more.
   bool finished() const { return simulation_.step_count() >= last_step_ || simulation_.finished(); }
   /// One time step, timed.
-  StepReport step();
+  models::StepReport step();
   /// All steps that are left.
   void finish();
 

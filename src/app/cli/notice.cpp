@@ -4,7 +4,7 @@
 
 namespace erg::app {
 
-void print_notice(Executor& executor) {
+void print_notice(compute::Executor& executor) {
   // The line of progress, if there is one, is drawn over.
   if (const std::string notice = executor.take_notice(); !notice.empty()) std::cerr << "\rerg: " << notice << "\n";
 }

@@ -9,7 +9,7 @@
 namespace erg::app {
 
 /// Prints it on standard error, where there is something.
-void print_notice(Executor& executor);
+void print_notice(compute::Executor& executor);
 
 /// Prints what is worth telling of what was given, line by line, on standard error.
 void print_notes(const std::vector<std::string>& notes);

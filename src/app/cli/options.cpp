@@ -48,8 +48,8 @@ void add_instructions_option(CLI::App& command) {
       .add_option_function<std::string>(
           "--instructions",
           [](const std::string& name) {
-            find_instruction_set(name, "--instructions");
-            ::setenv(instructions_variable, name.c_str(), 1);
+            compute::find_instruction_set(name, "--instructions");
+            ::setenv(compute::instructions_variable, name.c_str(), 1);
           },
           "Machine instructions that the engine uses: portable, avx2, avx512 (default: the best that the processor "
           "has; the same bits with all)")

@@ -33,7 +33,7 @@ void parse_sun(const std::string& text, render::Look& look) {
   if (!altitude) {
     throw InputError("--sun " + text, "is no place of the sun", "give bearing and altitude, such as 285,24 or W,30");
   }
-  look.sun_bearing = parse_bearing(std::string_view(text).substr(0, comma), "--sun " + text);
+  look.sun_bearing = forcing::parse_bearing(std::string_view(text).substr(0, comma), "--sun " + text);
   look.sun_altitude = *altitude;
 }
 
@@ -96,8 +96,8 @@ PicturePlan plan_picture(const PictureRequest& request, const render::TerrainVie
 
 RunView::RunView(sim::Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
-  const Forcing wind = simulation.last_wind();
-  shadow_ = shadow_field(terrain, wind.bearing, simulation.model().shadow_fall(terrain.cell_size()));
+  const forcing::Forcing wind = simulation.last_wind();
+  shadow_ = forcing::shadow_field(terrain, wind.bearing, simulation.model().shadow_fall(terrain.cell_size()));
   view_.terrain = &terrain;
   view_.fields = {&shadow_};
   if (simulation.flux() != nullptr) {
@@ -105,7 +105,7 @@ RunView::RunView(sim::Simulation& simulation) {
     view_.fields.push_back(&flux_);
   }
   view_.wind = wind.mean_bearing();
-  view_.paths = simulation.model().paths();
+  view_.trajectories = simulation.model().trajectories();
   view_.material = simulation.model_type().info.material;
 }
 

@@ -18,7 +18,6 @@
 #include "io/config/config_file.h"
 #include "io/formats/jpeg.h"
 #include "io/formats/png.h"
-#include "models/grains/grains.h"
 #include "render/gl_context.h"
 
 namespace erg::app {
@@ -91,7 +90,7 @@ void check_picture(const RenderRequest& request, Simulation& simulation) {
   simulation.watch_flux(false);
   if (flux) check_steps(request, simulation, "--look flux", FluxWatch::steps_of_mean);
   if (request.paths == 0) return;
-  if (dynamic_cast<const GrainModel*>(&simulation.model()) == nullptr) {
+  if (!simulation.model_type().info.moves_grains) {
     throw InputError("--paths", "the model " + simulation.config().model + " moves no single grains", "leave it out");
   }
   check_steps(request, simulation, "--paths", 1);
@@ -118,7 +117,7 @@ ExitCode render(const RenderRequest& request) {
   check_picture_name(request);
   check_output("--out", request.out);
   Simulation simulation = start(request);
-  simulation.keep_paths(request.paths);
+  simulation.keep_trajectories(request.paths);
   const std::unique_ptr<render::GlContext> context = render::make_offscreen_context(request.picture.context);
   render::Renderer renderer;
   check_picture(request, simulation);
@@ -143,7 +142,7 @@ void add_render_command(CLI::App& program, Action& action) {
   command->add_option("SOURCE", request->source, "Config file, name of a preset, or checkpoint")->required();
   command->add_option("--out", request->out, "PNG or JPEG file to write")->required();
   command->add_option("--steps", request->steps, "Step to draw (default: a config's last step; a checkpoint's own)")
-      ->check(whole_number(0, most_steps));
+      ->check(whole_number(0, forcing::most_steps));
   command->add_option("--set", request->assignments, "Change one value of the config: key=value or group.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

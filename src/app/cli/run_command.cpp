@@ -22,10 +22,12 @@
 #include "forcing/bearing.h"
 #include "io/config/provenance.h"
 #include "io/files/atomic_file.h"
+#include "io/files/held_name.h"
 #include "sim/step_time.h"
 
 namespace erg::app {
 
+using forcing::most_steps;
 using io::RunMeter;
 using sim::Simulation;
 
@@ -43,8 +45,9 @@ std::int64_t steps_between_rows(const RunRequest& request, std::int64_t last) {
 
 /// What a run writes.
 struct Outputs {
-  std::unique_ptr<RunOutput> files;  ///< null: none
-  std::unique_ptr<Film> film;        ///< null: none
+  std::unique_ptr<io::HeldName> name;  ///< under which it writes them, alone
+  std::unique_ptr<RunOutput> files;    ///< null: none
+  std::unique_ptr<Film> film;          ///< null: none
 };
 
 bool needs_numbers(const RunRequest& request) { return !request.quiet || !request.stats.empty(); }
@@ -84,7 +87,7 @@ std::string migration_text(const analysis::Shift& migration) {
   const std::string text = fixed_text(speed, 3) + " cells a step";
   if (!(speed > 0)) return text;
   // Of what moves toward (x, y), as opposed to a wind that blows from there.
-  return text + " toward " + fixed_text(bearing_of({-migration.x, -migration.y}), 0) + "°";
+  return text + " toward " + fixed_text(forcing::bearing_of({-migration.x, -migration.y}), 0) + "°";
 }
 
 void print_summary(Simulation& simulation, const RunStatistics& numbers) {
@@ -117,11 +120,14 @@ void check_flux(const RunRequest& request) {
 Outputs make_outputs(const RunRequest& request, const PictureRequest& picture, Simulation& simulation) {
   Outputs outputs;
   const std::string folder = output_folder(request);
+  if (request.frames > 0 || writes_files(request)) {
+    make_folder(folder);
+    outputs.name = std::make_unique<io::HeldName>(std::filesystem::path(folder) / run_name(request));
+  }
   if (request.frames > 0) {
     outputs.film = std::make_unique<Film>(folder, run_name(request), request.frames, picture, simulation);
   }
   if (writes_files(request)) {
-    make_folder(folder);
     check_output("--stats", request.stats);
     outputs.files = std::make_unique<RunOutput>(folder, run_name(request), formats(request), simulation);
   }

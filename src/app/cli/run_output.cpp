@@ -118,8 +118,8 @@ void RunOutput::write_state() {
     files_.push_back(path);
   }
   if (wants("vti")) {
-    const Grid<std::uint8_t> shadow =
-        shadow_map(terrain, simulation_.last_wind().bearing, simulation_.model().shadow_fall(terrain.cell_size()));
+    const Grid<std::uint8_t> shadow = forcing::shadow_map(terrain, simulation_.last_wind().bearing,
+                                                          simulation_.model().shadow_fall(terrain.cell_size()));
     const fs::path path = numbered(".vti");
     std::vector<Field> more;
     if (simulation_.flux() != nullptr) more.push_back(simulation_.flux()->mean());

@@ -53,7 +53,7 @@ void check_fits(const Config& config, const Saved& saved, const std::string& pla
             value_text(saved.config.grid.value(parameter.key)));
   }
   if (config.model == saved.config.model) {
-    const double ours = find_model(config.model).make(config.parameters)->quantum();
+    const double ours = models::find_model(config.model).make(config.parameters)->quantum();
     compare("slab height", value_text(ours), value_text(saved.state.terrain.quantum()));
   }
   if (!mistakes.empty()) throw InputError(std::move(mistakes));

@@ -19,6 +19,8 @@ using analysis::DuneMap;
 using analysis::GridPoint;
 using analysis::mean_map;
 using analysis::SpectrumNumbers;
+using forcing::bearing_of;
+using models::natural_spread;
 using sim::Config;
 using sim::set_from_text;
 using sim::Simulation;
@@ -208,7 +210,7 @@ SpectrumNumbers crests_of(const std::string& model, double spread, double middle
                                      std::string("run.threads=1"), "run.seed=" + std::to_string(seed)}) {
     set_from_text(config, setting);
   }
-  WindInterval season = config.wind.intervals.front();
+  forcing::WindInterval season = config.wind.intervals.front();
   season.steps = 10;
   season.spread = spread;
   season.bearing = fold_bearing(middle + 30);

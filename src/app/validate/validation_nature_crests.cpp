@@ -8,6 +8,9 @@
 #include "core/units.h"
 
 namespace erg::app {
+
+using forcing::WindInterval;
+
 namespace {
 
 constexpr double orientation_bound = 10;      // degrees

@@ -22,7 +22,7 @@ RippleRun ripple_run(double friction, const std::vector<int>& watch, int seed) {
     run.lengths.push_back(
         analysis::crest_spacing(analysis::coarse_surface(simulation.terrain(), analysis::Layer::surface), 270));
     if (run.leap > 0) continue;
-    for (const Reading& one : simulation.model().readings()) {
+    for (const models::Diagnostic& one : simulation.model().diagnostics()) {
       if (one.key == "hop") run.leap = 100 * one.value;
     }
   }

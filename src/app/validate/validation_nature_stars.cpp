@@ -24,7 +24,7 @@ StarArms star_run(const StarScene& scene, int winds, int season, int steps, int 
                                     "run.seed=" + std::to_string(seed)};
   settings.insert(settings.end(), scene.settings.begin(), scene.settings.end());
   sim::Config config = nature_config(scene.model, settings);
-  WindInterval one = config.wind.intervals.at(0);
+  forcing::WindInterval one = config.wind.intervals.at(0);
   one.steps = season;
   config.wind.intervals.clear();
   for (int wind = 0; wind < winds; ++wind) {

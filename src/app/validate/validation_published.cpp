@@ -61,7 +61,7 @@ Identity flat_bed(const char* what, const char* chance, double exact) {
     sim::set_from_text(config, assignment);
   }
   sim::Simulation simulation(config);
-  const StepReport report = simulation.step();
+  const models::StepReport report = simulation.step();
   return {what, exact, report.travel / static_cast<double>(report.lifts)};
 }
 
@@ -111,9 +111,9 @@ std::string identities_section() {
       flat_bed("mean travel of a slab on flat sand, L 5, p_s .6: 5/.6 cells (so 8.33 slabs pass a cell a step)", "0.6",
                5 / 0.6),
       flat_bed("mean travel with the chance of bare ground, .4: 5/.4 cells", "0.4", 5 / 0.4),
-      {"repose 33.69°, slab 1/3 of a cell: step in slabs", 2, double(standing_step(33.69, 1.0, 1.0 / 3))},
+      {"repose 33.69°, slab 1/3 of a cell: step in slabs", 2, double(critical_step(33.69, 1.0, 1.0 / 3))},
       {"shadow line of 15°, slab 1/3 of a cell: fall in slabs a cell", 3 * std::tan(radians(15)),
-       shadow_fall(15, 1.0, 1.0 / 3)},
+       forcing::shadow_fall(15, 1.0, 1.0 / 3)},
   };
   TextTable table;
   table.heading = {"what", "exact", "measured"};

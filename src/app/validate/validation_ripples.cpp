@@ -24,13 +24,13 @@ Config ripple_config(const std::string& strength_is, double strength, double bea
         "parameters.strength_is=" + strength_is, "run.steps=" + std::to_string(steps)}) {
     sim::set_from_text(config, assignment);
   }
-  config.wind = WindSchedule::constant(bearing, strength);
+  config.wind = forcing::WindSchedule::constant(bearing, strength);
   config.title = "ripples, " + strength_is + " " + fixed_text(strength, 1) + " from " + fixed_text(bearing, 0);
   return config;
 }
 
 double reading(const SeedRun& run, const std::string& key) {
-  for (const Reading& one : run.end.readings) {
+  for (const models::Diagnostic& one : run.end.diagnostics) {
     if (one.key == key) return one.value;
   }
   return 0;
@@ -43,7 +43,7 @@ double height_cm(const SeedRun& run) { return 2 * std::numbers::sqrt2 * run.end.
 
 /// Cells a step along the wind.
 double downwind_speed(const SeedRun& run, double bearing) {
-  const Direction toward = downwind(bearing);
+  const forcing::Direction toward = forcing::downwind(bearing);
   return run.end.migration.x * toward.x + run.end.migration.y * toward.y;
 }
 

@@ -24,6 +24,7 @@
 
 namespace erg::io {
 
+using models::StepReport;
 using sim::Config;
 
 namespace {

@@ -12,6 +12,11 @@
 
 namespace erg::io {
 
+using forcing::Channel;
+using forcing::channels;
+using forcing::constant_wind_columns;
+using forcing::interval_of;
+using forcing::WindInterval;
 using sim::Config;
 using sim::config_groups;
 using sim::config_version;
@@ -149,11 +154,11 @@ class ConfigReader {
   }
 
   /// What the config's model declares; the default model's where none is named.
-  const ModelInfo& info() { return find_model(config().model).info; }
+  const models::ModelInfo& info() { return models::find_model(config().model).info; }
 
   /// Reports a value of the weather that the model does not use.
   void check_used(const JsonNode& node, const Channel& channel) {
-    if (uses_channel(info().channels, channel)) return;
+    if (forcing::uses_channel(info().channels, channel)) return;
     const Mistake mistake = sim::not_asked_for(channel.declared.key, config().model);
     mistakes().add(node.line, mistake.problem, mistake.remedy);
   }
@@ -312,7 +317,7 @@ class ConfigReader {
     }
     const JsonNode::Array* list = entries(*seasons, "seasons", "season");
     if (list == nullptr) return;
-    const Declarations columns = interval_columns(standard);
+    const Declarations columns = forcing::interval_columns(standard);
     config().wind.intervals.clear();
     for (const JsonNode& entry : *list) config().wind.intervals.push_back(read_interval(entry, columns, model_known));
   }
@@ -345,16 +350,16 @@ class ConfigReader {
 
   /// A number for a value that does not change over the run, or its two ends and the curve between them.
   void read_course(const JsonNode& node, const Channel& channel) {
-    Course& course = config().weather.*channel.over_run;
+    forcing::Course& course = config().weather.*channel.over_run;
     if (node.number()) {
       if (const auto value = checked(channel.declared, node)) course.first = course.last = *node.number() + 0.0;
       return;
     }
     const JsonNode::Object* members = object(node, channel.declared.key);
     if (members == nullptr) return;
-    const Declarations columns = course_columns(channel);
+    const Declarations columns = forcing::course_columns(channel);
     check_keys(*members, keys_of(columns));
-    course = course_of(read_values(*members, columns));
+    course = forcing::course_of(read_values(*members, columns));
   }
 
   JsonTree tree_;

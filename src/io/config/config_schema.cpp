@@ -10,6 +10,10 @@
 
 namespace erg::io {
 
+using forcing::Channel;
+using forcing::channels;
+using models::ModelDefaults;
+using models::ModelType;
 using sim::grid_parameters;
 using sim::scene_parameters;
 
@@ -121,7 +125,7 @@ Json group_schema(const Parameters& declared) {
 }
 
 Json interval_schema() {
-  Json schema = group_schema(interval_columns());
+  Json schema = group_schema(forcing::interval_columns());
   const Json has_first = {{"required", {"first"}}};
   const Json has_last = {{"required", {"last"}}};
   schema["if"] = {{"required", {"strength"}}};
@@ -137,7 +141,7 @@ Json wind_schema() {
   Json schema;
   schema["description"] = "The wind: constant, or a list of seasons that repeats.";
   schema["anyOf"] =
-      Json::array({group_schema(constant_wind_columns()), object_schema(std::move(seasons), {"seasons"})});
+      Json::array({group_schema(forcing::constant_wind_columns()), object_schema(std::move(seasons), {"seasons"})});
   return schema;
 }
 
@@ -145,7 +149,7 @@ Json course_schema(const Channel& channel) {
   Json schema;
   schema["description"] =
       channel.declared.label + " over the run: a number, or its first and last value and the curve between them.";
-  schema["anyOf"] = Json::array({parameter_schema(channel.declared), group_schema(course_columns(channel))});
+  schema["anyOf"] = Json::array({parameter_schema(channel.declared), group_schema(forcing::course_columns(channel))});
   return schema;
 }
 
@@ -159,21 +163,21 @@ void add_own_defaults(Json& properties, const std::string& group, const Paramete
 
 /// Which parameters a config may have, what of the weather, and where it starts follows from its model.
 Json model_rule(const ModelType& type) {
-  const ModelStart& start = type.info.start;
+  const ModelDefaults& start = type.info.start;
   Json properties;
   properties["parameters"]["$ref"] = "#/$defs/" + type.info.key;
   add_own_defaults(properties, "grid", grid_parameters(start), grid_parameters());
   add_own_defaults(properties, "scene", scene_parameters(start), scene_parameters());
-  if (start.strength != ModelStart{}.strength) {
+  if (start.strength != ModelDefaults{}.strength) {
     properties["wind"]["properties"]["strength"]["default"] = json_value(start.strength);
   }
-  if (start.spread != ModelStart{}.spread) {
+  if (start.spread != ModelDefaults{}.spread) {
     Json& wind = properties["wind"]["properties"];
     wind["spread"]["default"] = json_value(start.spread);
     wind["seasons"]["items"]["properties"]["spread"]["default"] = json_value(start.spread);
   }
   for (const Channel& channel : channels()) {
-    if (uses_channel(type.info.channels, channel)) continue;
+    if (forcing::uses_channel(type.info.channels, channel)) continue;
     Json& refused = channel.over_run != nullptr
                         ? properties[channel.declared.key]
                         : properties["wind"]["properties"]["seasons"]["items"]["properties"][channel.declared.key];
@@ -210,7 +214,7 @@ std::string config_schema() {
   schema.update(object_schema(std::move(properties), {"erg", "model"}));
   schema["allOf"] = Json::array();
   schema["$defs"] = Json::object();
-  for (const ModelType& type : catalogue()) {
+  for (const ModelType& type : models::catalogue()) {
     schema["allOf"].push_back(model_rule(type));
     schema["$defs"][type.info.key] = group_schema(type.parameters);
     schema["$defs"][type.info.key]["title"] = type.info.title;

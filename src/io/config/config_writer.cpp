@@ -9,6 +9,16 @@
 #include "models/model.h"
 
 namespace erg::io {
+
+using forcing::Channel;
+using forcing::channels;
+using forcing::Course;
+using forcing::row_of;
+using forcing::uses_channel;
+using forcing::WindInterval;
+using forcing::WindSchedule;
+using models::ModelInfo;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -53,8 +63,8 @@ Json wind_json(const WindSchedule& wind, const ModelInfo& model) {
   WindSchedule constant = WindSchedule::constant(only.bearing, only.first);
   constant.intervals.front().spread = only.spread;
   constant.intervals.front().hold = only.hold;
-  if (wind == constant) return row_json(row_of(only, constant_wind_columns(standard)));
-  const Declarations columns = interval_columns(standard);
+  if (wind == constant) return row_json(row_of(only, forcing::constant_wind_columns(standard)));
+  const Declarations columns = forcing::interval_columns(standard);
   Json json;
   json["seasons"] = Json::array();
   for (const WindInterval& season : wind.intervals) {
@@ -66,7 +76,7 @@ Json wind_json(const WindSchedule& wind, const ModelInfo& model) {
 }  // namespace
 
 std::string config_text(const sim::Config& config) {
-  const ModelInfo& asking = find_model(config.model).info;  // a reader refuses what it does not ask for
+  const ModelInfo& asking = models::find_model(config.model).info;  // a reader refuses what it does not ask for
   Json json;
   json["erg"] = sim::config_version;
   if (!config.title.empty()) json["title"] = config.title;
@@ -78,7 +88,7 @@ std::string config_text(const sim::Config& config) {
       for (const Channel& channel : channels()) {
         if (channel.over_run == nullptr || !uses_channel(asking.channels, channel)) continue;
         const Course& course = config.weather.*channel.over_run;
-        if (course != Weather{}.*channel.over_run) json[channel.declared.key] = course_json(course, channel);
+        if (course != forcing::Weather{}.*channel.over_run) json[channel.declared.key] = course_json(course, channel);
       }
     }
     Json values = group_json(group.key, config.*group.values);

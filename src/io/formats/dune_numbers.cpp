@@ -29,7 +29,7 @@ double speed_a_year(const MeasuredDunes& moment, double cells_a_step) {
 
 /// The bearing toward which something has gone.
 double toward(const DuneWay& way) {
-  return way.east == 0 && way.north == 0 ? unknown : bearing_of({-way.east, -way.north});
+  return way.east == 0 && way.north == 0 ? unknown : forcing::bearing_of({-way.east, -way.north});
 }
 
 /// Mean and spread of those numbers that are known.

@@ -23,11 +23,11 @@ constexpr double text_size = picture::annotation_text_size;
 constexpr int margin = 14;
 
 // Draws arrow and bearing at the right edge; returns the first pixel used.
-int draw_wind(RgbImage& image, int baseline, const Forcing& wind) {
+int draw_wind(RgbImage& image, int baseline, const forcing::Forcing& wind) {
   const std::string text = "wind " + picture::number_text(std::round(wind.mean_bearing())) + "°";
   const int left = image.width - margin - label_width(text, text_size);
   draw_label(image, text, left, baseline, text_size, ink);
-  const Direction toward = downwind(wind.mean_bearing());
+  const forcing::Direction toward = forcing::downwind(wind.mean_bearing());
   picture::draw_arrow(image, left - 24, baseline - 6, toward.x, toward.y, 30, ink);
   return left - 42;
 }

@@ -57,7 +57,7 @@ void RunMeter::look(Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
   // Where whole dunes stand shows on coarse ground too, which is cheaper.
   const Extent blocks{std::min(terrain.nx(), most_blocks), std::min(terrain.ny(), most_blocks)};
-  migration_.observe(simulation.step_count(), coarse_surface(terrain, Layer::surface, blocks));
+  migration_.observe(simulation.step_count(), coarse_surface(terrain, Layer::surface, blocks), simulation.share_work());
   last_look_ = simulation.step_count();
 }
 
@@ -72,12 +72,13 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
   const Shift migration = migration_.velocity().value_or(Shift{unknown, unknown});
   migration_.start_anew();
   const Terrain& terrain = simulation.terrain();
-  const Forcing wind = simulation.last_wind();
+  const forcing::Forcing wind = simulation.last_wind();
   const analysis::Morphometry shape = analysis::measure(terrain);
   const double fall = simulation.model().shadow_fall(terrain.cell_size());
   const analysis::CoarseSurface surface = coarse_surface(terrain, Layer::surface);
-  const analysis::SpectrumNumbers spectrum = analysis::measure_spectrum(surface);
-  const StepReport& totals = simulation.totals();
+  const ShareWork share = simulation.share_work();
+  const analysis::SpectrumNumbers spectrum = analysis::measure_spectrum(surface, share);
+  const models::StepReport& totals = simulation.totals();
   const auto cell_steps =
       static_cast<double>(terrain.extent().cells()) * static_cast<double>(simulation.step_count() - last_step_);
   std::vector<double> row{static_cast<double>(simulation.step_count()),
@@ -88,9 +89,9 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
                           shape.mean_slabs,
                           shape.sd_slabs,
                           shape.bare_fraction,
-                          analysis::shadow_fraction(shadow_map(terrain, wind.bearing, fall)),
+                          analysis::shadow_fraction(forcing::shadow_map(terrain, wind.bearing, fall)),
                           spectrum.wavelength,
-                          analysis::crest_spacing(surface, wind.mean_bearing()),
+                          analysis::crest_spacing(surface, wind.mean_bearing(), share),
                           spectrum.crest_bearing.value_or(unknown),
                           spectrum.alignment,
                           migration.x,

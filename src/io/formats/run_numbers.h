@@ -25,7 +25,7 @@ const std::vector<RunNumber>& run_numbers();
 class RunMeter {
  public:
   /// Starts from where the run stands.
-  explicit RunMeter(const StepReport& totals, std::int64_t step) : last_totals_(totals), last_step_(step) {}
+  explicit RunMeter(const models::StepReport& totals, std::int64_t step) : last_totals_(totals), last_step_(step) {}
 
   /// The numbers now, in the order of run_numbers(); not-a-number for what is not known. Lifts, polls and flux are
   /// those since the last taking, migration that since the last taking or glance, if that is at most `longest_look`
@@ -40,7 +40,7 @@ class RunMeter {
  private:
   void look(sim::Simulation& simulation);
 
-  StepReport last_totals_;
+  models::StepReport last_totals_;
   analysis::MigrationTracker migration_;
   std::int64_t last_look_ = 0;
   std::int64_t last_step_ = 0;

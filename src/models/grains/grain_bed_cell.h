@@ -15,7 +15,7 @@
 #include "forcing/shadow_reach.h"
 #include "models/grains/grain_cell.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The bed as plain arrays in the wind's frame (cell = v * width + u), counts of whole parcels. Not owned.
 struct BedPlanes {
@@ -108,7 +108,7 @@ ERG_CELL_RULE void snapshot_cell(const BedPlanes& bed, int u, int v) {
 /// `relief` quanta over its lowest.
 ERG_CELL_RULE int first_shadow_row(const BedPlanes& bed, std::int64_t relief) {
   if (!bed.torus) return 0;
-  return -shadow_reach(static_cast<double>(relief), bed.fall, bed.cosine, bed.longest_shadow);
+  return -forcing::shadow_reach(static_cast<double>(relief), bed.fall, bed.cosine, bed.longest_shadow);
 }
 
 /// Heights (m) of the shadow line that comes to a cell: along the wind, and from the cell before it in its row's order.
@@ -161,8 +161,8 @@ struct BedWatch {
   ERG_CELL_ACT void impact(int u, int v, int grains, float speed) {
     if (grains == 0) return;
     const std::int64_t cell = static_cast<std::int64_t>(v) * bed->width + u;
-    atomic_add(&bed->ejection_requests[cell], grains);
-    atomic_add(&bed->ejection_speed[cell], static_cast<std::int32_t>(speed * speed_parts) * grains);
+    compute::atomic_add(&bed->ejection_requests[cell], grains);
+    compute::atomic_add(&bed->ejection_speed[cell], static_cast<std::int32_t>(speed * speed_parts) * grains);
   }
 };
 
@@ -185,7 +185,7 @@ ERG_CELL_ACT void put_down(const GrainLaw& law, const BedPlanes& bed, FlightEnd 
   tally.book(end, grain);
   if (end == FlightEnd::left) return;
   const BedCell place = resting_place(law, bed.ground(), grain, dice);
-  atomic_add(&bed.arrivals[static_cast<std::int64_t>(place.v) * bed.width + place.u], 1);
+  compute::atomic_add(&bed.arrivals[static_cast<std::int64_t>(place.v) * bed.width + place.u], 1);
 }
 
 /// Poll `poll` of the sub-step: a grain of the polled cell flies, if one can leave.
@@ -347,4 +347,4 @@ ERG_CELL_RULE void bond_cell(const BedPlanes& bed, double share, const GrainMome
   if (resting > 0 && now.unit(GrainDraw::bond, cell, 0) < share) bed.bonded[cell] += resting;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -12,7 +12,7 @@
 #include "core/cell_rule.h"
 #include "core/random.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The frozen ground in one cell.
 struct GroundPoint {
@@ -389,4 +389,4 @@ ERG_CELL_RULE bool reptate(const GrainLaw& law, const SurfaceSnapshot& ground, i
   return grain.u >= 0 && grain.u < width && grain.v >= 0 && grain.v < length;
 }
 
-}  // namespace erg
+}  // namespace erg::models

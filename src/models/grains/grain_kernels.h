@@ -5,10 +5,10 @@
 #include "compute/kernel.h"
 #include "models/grains/plan.h"
 
-namespace erg::grain {
+namespace erg::models::grain {
 
 struct Kernels {
-#define ERG_KERNEL(family, name) static const KernelOf<Plan> name;
+#define ERG_KERNEL(family, name) static const compute::KernelOf<Plan> name;
 #include "models/grains/grain_kernels.def"
 #undef ERG_KERNEL
 };
@@ -16,7 +16,7 @@ struct Kernels {
 // --- the frozen ground ---
 
 /// Heights and loose grains of all cells, and how high and low the bed reaches.
-ERG_ON_DEVICE void snapshot(const Plan& plan, Items items) {
+ERG_ON_DEVICE void snapshot(const Plan& plan, compute::Items items) {
   std::uint32_t highest = 0;
   std::uint32_t under_lowest = 0;
   EACH_ITEM(cell, plan.bed.cells()) {
@@ -25,8 +25,8 @@ ERG_ON_DEVICE void snapshot(const Plan& plan, Items items) {
     if (height > highest) highest = height;
     if (~height > under_lowest) under_lowest = ~height;
   }
-  raise(plan.bounds, highest);
-  raise(plan.bounds + 1, under_lowest);
+  compute::raise(plan.bounds, highest);
+  compute::raise(plan.bounds + 1, under_lowest);
 }
 
 /// The shadow that comes to row `first` of a line: the same bits as if it were followed from row `start`, in which all
@@ -46,7 +46,7 @@ ERG_ON_DEVICE ShadowLine shadow_from_upwind(const BedPlanes& bed, std::int32_t l
 }
 
 /// Height of the shadow over every cell. One thread follows a line for some rows.
-ERG_ON_DEVICE void shadow(const Plan& plan, Items items) {
+ERG_ON_DEVICE void shadow(const Plan& plan, compute::Items items) {
   const BedPlanes& bed = plan.bed;
   const std::uint32_t highest = plan.bounds[0];
   const std::uint32_t lowest = ~plan.bounds[1];
@@ -62,17 +62,17 @@ ERG_ON_DEVICE void shadow(const Plan& plan, Items items) {
   }
 }
 
-ERG_ON_DEVICE void rim(const Plan& plan, Items items) {
+ERG_ON_DEVICE void rim(const Plan& plan, compute::Items items) {
   EACH_ITEM(number, rim_points(plan.bed)) { snapshot_rim(plan.bed, number); }
 }
 
 // --- flights ---
 
-ERG_ON_DEVICE void count(const Plan& plan, Items items, const GrainCounters& counted) {
-  __builtin_bit_cast(Counters<grain_counters>, counted).add_to(plan.counters, items);
+ERG_ON_DEVICE void count(const Plan& plan, compute::Items items, const GrainCounters& counted) {
+  __builtin_bit_cast(compute::Counters<grain_counters>, counted).add_to(plan.counters, items);
 }
 
-ERG_ON_DEVICE void fly(const Plan& plan, Items items) {
+ERG_ON_DEVICE void fly(const Plan& plan, compute::Items items) {
   GrainCounters counted;
   const std::int64_t polls = polls_of(plan.now, plan.bed.cells());
   EACH_ITEM(poll, polls) { poll_grain(*plan.law, plan.bed, plan.now, poll, counted); }
@@ -80,7 +80,7 @@ ERG_ON_DEVICE void fly(const Plan& plan, Items items) {
 }
 
 /// Grains that enter an open grid. One thread, one cell of its upwind edges.
-ERG_ON_DEVICE void inject(const Plan& plan, Items items) {
+ERG_ON_DEVICE void inject(const Plan& plan, compute::Items items) {
   GrainCounters counted;
   EACH_ITEM(number, upwind_cells(*plan.law, plan.bed)) {
     inject_grains(*plan.law, plan.bed, plan.now, plan.inflow, number, counted);
@@ -89,22 +89,22 @@ ERG_ON_DEVICE void inject(const Plan& plan, Items items) {
 }
 
 /// Grains that impacts knocked loose hop. One thread, one cell.
-ERG_ON_DEVICE void resolve_splash(const Plan& plan, Items items) {
+ERG_ON_DEVICE void resolve_splash(const Plan& plan, compute::Items items) {
   GrainCounters counted;
   EACH_ITEM(cell, plan.bed.cells()) {
-    erg::resolve_splash(*plan.law, plan.bed, plan.now, plan.abrasion, cell, counted);
+    erg::models::resolve_splash(*plan.law, plan.bed, plan.now, plan.abrasion, cell, counted);
   }
   count(plan, items, counted);
 }
 
-ERG_ON_DEVICE void apply_deltas(const Plan& plan, Items items) {
+ERG_ON_DEVICE void apply_deltas(const Plan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.bed.cells()) { apply_deltas_to(plan.bed, cell); }
 }
 
 // --- the bed by itself ---
 
 /// Edges of one class: they share no cell, so nobody waits for anybody.
-ERG_ON_DEVICE void slide(const Plan& plan, Items items) {
+ERG_ON_DEVICE void slide(const Plan& plan, compute::Items items) {
   const std::int32_t edges = plan.edges.outer * plan.edges.inner;
   bool any = false;
   EACH_ITEM(item, edges) {
@@ -112,10 +112,10 @@ ERG_ON_DEVICE void slide(const Plan& plan, Items items) {
     if (!find_edge(plan.bed, plan.edges, item / plan.edges.inner, item % plan.edges.inner, edge)) continue;
     if (slide_grains(plan.bed, edge, plan.critical_step)) any = true;
   }
-  if (any) raise(plan.slid, 1);
+  if (any) compute::raise(plan.slid, 1);
 }
 
-ERG_ON_DEVICE void creep(const Plan& plan, Items items) {
+ERG_ON_DEVICE void creep(const Plan& plan, compute::Items items) {
   const std::int32_t edges = plan.edges.outer * plan.edges.inner;
   EACH_ITEM(item, edges) {
     BedEdge edge;
@@ -124,8 +124,8 @@ ERG_ON_DEVICE void creep(const Plan& plan, Items items) {
   }
 }
 
-ERG_ON_DEVICE void bond(const Plan& plan, Items items) {
+ERG_ON_DEVICE void bond(const Plan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.bed.cells()) { bond_cell(plan.bed, plan.bonding, plan.now, cell); }
 }
 
-}  // namespace erg::grain
+}  // namespace erg::models::grain

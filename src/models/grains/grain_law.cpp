@@ -6,7 +6,7 @@
 #include "core/constants.h"
 #include "core/units.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 constexpr double millimetre = 1e-3;
@@ -89,7 +89,8 @@ double reptation(const GrainValues& values, double friction) {
   return values.reptation * (1 + values.reptation_wind * std::max(0.0, ratio - 1));
 }
 
-GrainLaw grain_law(const GrainValues& values, const Forcing& wind, const WindFrame& frame, double cell_size) {
+GrainLaw grain_law(const GrainValues& values, const forcing::Forcing& wind, const forcing::WindFrame& frame,
+                   double cell_size) {
   const double friction = friction_velocity(values, wind.strength);
   const double seconds = values.time_step * 1e-3;
   GrainLaw law;
@@ -118,4 +119,4 @@ GrainLaw grain_law(const GrainValues& values, const Forcing& wind, const WindFra
   return law;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -7,7 +7,7 @@
 #include "models/grains/grain_cell.h"
 #include "models/grains/grain_values.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The friction velocity (m/s) from which the wind lifts grains of this diameter (m): Shao & Lu 2000, eq. 24, times the
 /// ratio of the threshold under impacts to that of the air alone.
@@ -27,6 +27,7 @@ double profile_speed(const GrainValues& values, double friction_velocity, double
 double reptation(const GrainValues& values, double friction_velocity);
 
 /// The law for one wind on a grid with cells of this size (m).
-GrainLaw grain_law(const GrainValues& values, const Forcing& wind, const WindFrame& frame, double cell_size);
+GrainLaw grain_law(const GrainValues& values, const forcing::Forcing& wind, const forcing::WindFrame& frame,
+                   double cell_size);
 
-}  // namespace erg
+}  // namespace erg::models

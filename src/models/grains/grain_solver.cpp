@@ -7,7 +7,13 @@
 
 #include "models/grains/grain_kernels.h"
 
-namespace erg {
+namespace erg::models {
+
+using compute::Executor;
+using forcing::Forcing;
+using forcing::WindFrame;
+using kernels::FrameLayer;
+
 namespace {
 
 constexpr int slide_passes = 8;  // a sub-step; steeper ground goes on sliding in the next
@@ -58,7 +64,7 @@ struct GrainStep {
   std::unique_ptr<GrainSolver> make_solver(Executor& executor) const {
     return std::make_unique<GrainSolver>(executor.backend());
   }
-  WindFrame frame(const Terrain& terrain) const { return wind_frame(terrain.extent(), wind.bearing); }
+  WindFrame frame(const Terrain& terrain) const { return forcing::wind_frame(terrain.extent(), wind.bearing); }
   void load(GrainSolver& solver, const Terrain& terrain) const { solver.load(terrain, frame(terrain)); }
   GrainReport run(GrainSolver& solver, Terrain& terrain, Executor& executor) const {
     const GrainCounters counted = solver.step(terrain, law, frame(terrain), key, look, executor.lift_counts());
@@ -88,7 +94,7 @@ void GrainSolver::allocate(std::size_t cells, const WindFrame& frame) {
   backend_.fit(points_, static_cast<std::size_t>(frame.width + 2) * static_cast<std::size_t>(frame.length + 2));
   backend_.fit(law_, 1);
   backend_.fit(bounds_, 3);
-  backend_.fit(counters_, std::size_t{counter_slots} * grain_counters);
+  backend_.fit(counters_, std::size_t{compute::counter_slots} * grain_counters);
   for (const FrameLayer* counts : {&departures_, &arrivals_, &ejection_requests_, &ejection_speed_}) {
     backend_.fill(*counts, 0);  // so every step leaves them
   }
@@ -215,7 +221,7 @@ void GrainSolver::show_ground(const GroundLook& look) {
 }
 
 /// All classes of edges of one way.
-void GrainSolver::launch_edges(const KernelOf<grain::Plan>& kernel, int way) {
+void GrainSolver::launch_edges(const compute::KernelOf<grain::Plan>& kernel, int way) {
   for (int number = 0; number < edge_classes(plan_.bed, way); ++number) {
     plan_.edges = edges_of(plan_.bed, way, number);
     backend_.launch(kernel, static_cast<std::int64_t>(plan_.edges.outer) * plan_.edges.inner, plan_);
@@ -247,4 +253,4 @@ bool GrainSolver::has_slid() {
   return slid;
 }
 
-}  // namespace erg
+}  // namespace erg::models

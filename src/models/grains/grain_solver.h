@@ -19,33 +19,33 @@
 #include "models/grains/grain_step.h"
 #include "models/grains/plan.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Called with the ground that the flights of a step's last sub-step see; it may fly some of them once more.
 using GroundLook = std::function<void(const SurfaceSnapshot& ground)>;
 
 /// Flies the grains of one time step, lets their bed slide, creep and bond, and books in- and outflow. The same bits on
 /// every executor. `look` may be empty.
-GrainReport fly_grains(Executor& executor, Terrain& terrain, const GrainStepLaw& law, const Forcing& wind, StepKey key,
-                       const GroundLook& look);
+GrainReport fly_grains(compute::Executor& executor, Terrain& terrain, const GrainStepLaw& law,
+                       const forcing::Forcing& wind, StepKey key, const GroundLook& look);
 
-class GrainSolver : public Solver {
+class GrainSolver : public compute::Solver {
  public:
-  explicit GrainSolver(Backend& backend) : backend_(backend), layers_(backend) {}
+  explicit GrainSolver(compute::Backend& backend) : backend_(backend), layers_(backend) {}
 
   bool holds_fields() const override { return true; }
   /// Brings the mobile layer back and, where grains may have bonded or come free since the terrain was loaded, the
   /// field of bonded ones.
   void sync_to_host(Terrain& terrain) override;
-  void load(const Terrain& terrain, const WindFrame& frame);
+  void load(const Terrain& terrain, const forcing::WindFrame& frame);
   /// One time step of what is loaded; `terrain` tells only what never changes between loads. `lift_counts`: as
   /// Executor::lift_counts.
-  GrainCounters step(const Terrain& terrain, const GrainStepLaw& law, const WindFrame& frame, StepKey key,
+  GrainCounters step(const Terrain& terrain, const GrainStepLaw& law, const forcing::WindFrame& frame, StepKey key,
                      const GroundLook& look, Grid<std::int32_t>* lift_counts);
 
  private:
   std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
-  void allocate(std::size_t cells, const WindFrame& frame);
+  void allocate(std::size_t cells, const forcing::WindFrame& frame);
   void send_law(const GrainStepLaw& law);
   void prepare(const Terrain& terrain, const GrainStepLaw& law, bool counts_lifts);
   void run(const GrainStepLaw& law, double inflow, StepKey key, const GroundLook& look);
@@ -54,31 +54,31 @@ class GrainSolver : public Solver {
   void show_ground(const GroundLook& look);
   void slide_slopes(ReposeSteps repose);
   bool has_slid();
-  void launch_edges(const KernelOf<grain::Plan>& kernel, int way);
+  void launch_edges(const compute::KernelOf<grain::Plan>& kernel, int way);
 
-  Backend& backend_;
-  WindFrame frame_;
+  compute::Backend& backend_;
+  forcing::WindFrame frame_;
   std::int32_t lowest_ = 0;  // bedrock
   bool may_bond_ = false;    // some grains are bonded, or were since the load
   grain::Plan plan_;         // of the step under way
   std::optional<GrainLaw> sent_law_;
   std::shared_ptr<const std::vector<float>> sent_shelter_;
 
-  FrameLayers layers_;
-  FrameLayer bedrock_;
-  FrameLayer mobile_;
-  FrameLayer bonded_;
-  FrameLayer departures_;
-  FrameLayer arrivals_;
-  FrameLayer disturbed_;
-  FrameLayer lifted_;  // empty until lifts are counted
-  FrameLayer ejection_requests_;
-  FrameLayer ejection_speed_;
-  Buffer<float> shelter_;
-  Buffer<GroundPoint> points_;
-  Buffer<GrainLaw> law_;
-  Buffer<std::uint32_t> bounds_;  // highest, ~lowest, slid
-  Buffer<CounterWord> counters_;
+  kernels::FrameLayers layers_;
+  kernels::FrameLayer bedrock_;
+  kernels::FrameLayer mobile_;
+  kernels::FrameLayer bonded_;
+  kernels::FrameLayer departures_;
+  kernels::FrameLayer arrivals_;
+  kernels::FrameLayer disturbed_;
+  kernels::FrameLayer lifted_;  // empty until lifts are counted
+  kernels::FrameLayer ejection_requests_;
+  kernels::FrameLayer ejection_speed_;
+  compute::Buffer<float> shelter_;
+  compute::Buffer<GroundPoint> points_;
+  compute::Buffer<GrainLaw> law_;
+  compute::Buffer<std::uint32_t> bounds_;  // highest, ~lowest, slid
+  compute::Buffer<compute::CounterWord> counters_;
 };
 
-}  // namespace erg
+}  // namespace erg::models

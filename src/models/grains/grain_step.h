@@ -9,7 +9,7 @@
 #include "models/slab/slab_law.h"
 #include "models/step_report.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The terrain's layer of grains that have bonded, in parcels. A terrain may do without.
 inline constexpr const char* bonded_field = "bonded";
@@ -33,4 +33,4 @@ struct GrainReport {
   std::int64_t cut_off = 0;  ///< flights that were cut off
 };
 
-}  // namespace erg
+}  // namespace erg::models

@@ -2,7 +2,7 @@
 
 #include "core/constants.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 using GrainEntries = Binding<GrainValues>::Entries;
@@ -394,4 +394,4 @@ const Binding<GrainValues>& grain_binding() {
   return binding;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -5,7 +5,7 @@
 
 #include "core/binding.h"
 
-namespace erg {
+namespace erg::models {
 
 /// What the wind's strength is for the grain model.
 enum class StrengthIs { speed, friction_velocity };
@@ -62,4 +62,4 @@ struct GrainValues {
 /// The declarations of all of them.
 const Binding<GrainValues>& grain_binding();
 
-}  // namespace erg
+}  // namespace erg::models

@@ -9,10 +9,14 @@
 #include "forcing/shadow.h"
 #include "models/grains/grain_bed_cell.h"
 #include "models/grains/grain_law.h"
-#include "models/grains/grain_paths.h"
 #include "models/grains/plant_wakes.h"
+#include "models/grains/trajectory_watch.h"
 
-namespace erg {
+namespace erg::models {
+
+using forcing::Forcing;
+using forcing::WindFrame;
+
 namespace {
 
 std::vector<FieldInfo> grain_fields() {
@@ -52,7 +56,7 @@ GrainModel::GrainModel(const GrainValues& values) : values_(values) {}
 double GrainModel::quantum() const { return values_.parcel_height * 1e-3; }
 
 double GrainModel::shadow_fall(double cell_size) const {
-  return erg::shadow_fall(values_.shadow_angle, cell_size, quantum());
+  return erg::forcing::shadow_fall(values_.shadow_angle, cell_size, quantum());
 }
 
 void GrainModel::begin(Terrain& terrain) {
@@ -66,17 +70,17 @@ void GrainModel::begin(Terrain& terrain) {
 }
 
 // Flies some grains of the last sub-step once more, over the ground that they saw, and keeps their ways.
-void GrainModel::trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law, StepKey key,
-                             const SurfaceSnapshot& ground) {
+void GrainModel::trace_trajectories(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law,
+                                    StepKey key, const SurfaceSnapshot& ground) {
   const auto cells = static_cast<std::int64_t>(terrain.extent().cells());
   const GrainMoment last{key, law.sub_steps - 1, law.sub_steps};
   const std::int64_t polls = polls_of(last, cells);
-  PathWatch watch(terrain, frame, ground.base);
+  TrajectoryWatch watch(terrain, frame, ground.base);
   FlightCounters unused;
   int kept = 0;
   // In strides of the golden section, which visit the grid evenly whatever the number wanted.
   const auto stride = static_cast<std::int64_t>(static_cast<double>(polls) / std::numbers::phi) | 1;
-  for (std::int64_t k = 0; k < polls && kept < paths_wanted_; ++k) {
+  for (std::int64_t k = 0; k < polls && kept < trajectories_wanted_; ++k) {
     const std::int64_t poll = k * stride % polls;
     GrainDice dice = last.dice(GrainDraw::flight, poll, 0);
     const std::int64_t cell = polled_cell(last, poll, cells, dice);
@@ -89,7 +93,7 @@ void GrainModel::trace_paths(const Terrain& terrain, const WindFrame& frame, con
     fly(law.grain, ground, grain, dice, unused, watch);
     ++kept;
   }
-  paths_ = watch.take_paths();
+  trajectories_ = watch.take_trajectories();
 }
 
 /// What plants leave of the wind, worked out anew only where they or the wind's bearing have changed.
@@ -120,14 +124,14 @@ GrainStepLaw GrainModel::step_law(const Terrain& terrain, const WindFrame& frame
   return law;
 }
 
-StepReport GrainModel::step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) {
-  const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
+StepReport GrainModel::step(Terrain& terrain, const Forcing& wind, StepKey key, compute::Executor& executor) {
+  const WindFrame frame = forcing::wind_frame(terrain.extent(), wind.bearing);
   const GrainStepLaw law = step_law(terrain, frame, wind);
   GroundLook look;
-  if (paths_wanted_ > 0) {
-    look = [&](const SurfaceSnapshot& ground) { trace_paths(terrain, frame, law, key, ground); };
+  if (trajectories_wanted_ > 0) {
+    look = [&](const SurfaceSnapshot& ground) { trace_trajectories(terrain, frame, law, key, ground); };
   }
-  paths_.clear();
+  trajectories_.clear();
   const GrainReport report = fly_grains(executor, terrain, law, wind, key, look);
   flights_ = report.flights;
   lifts_ = report.step.lifts;
@@ -135,7 +139,7 @@ StepReport GrainModel::step(Terrain& terrain, const Forcing& wind, StepKey key, 
   return report.step;
 }
 
-std::vector<Reading> GrainModel::readings() const {
+std::vector<Diagnostic> GrainModel::diagnostics() const {
   const double impacts = flights_.impacts > 0 ? static_cast<double>(flights_.impacts) : 1;
   const double lifts = lifts_ > 0 ? static_cast<double>(lifts_) : 1;
   return {
@@ -157,7 +161,7 @@ std::vector<std::string> explain_grains(const GrainValues& values, double cell_s
   const double parcel = values.parcel_height * 1e-3;
   constexpr double packing = 0.6;
   const double grain = std::numbers::pi / 6 * diameter * diameter * diameter;
-  const int standing = standing_step(values.repose_angle, cell_size, parcel);
+  const int critical = critical_step(values.repose_angle, cell_size, parcel);
   char lines[3][200];
   std::snprintf(lines[0], sizeof lines[0], "a parcel of %g mm on a cell of %g m is about %.0f grains",
                 values.parcel_height, cell_size, packing * cell_size * cell_size * parcel / grain);
@@ -166,8 +170,8 @@ std::vector<std::string> explain_grains(const GrainValues& values, double cell_s
                 lifting_threshold(values, diameter),
                 profile_speed(values, lifting_threshold(values, diameter), values.wind_height), values.wind_height);
   std::snprintf(lines[2], sizeof lines[2], "repose %g°: a step of %d parcel%s (%.1f°) stands, a larger one slides",
-                values.repose_angle, standing, standing == 1 ? "" : "s",
-                degrees(std::atan(standing * parcel / cell_size)));
+                values.repose_angle, critical, critical == 1 ? "" : "s",
+                degrees(std::atan(critical * parcel / cell_size)));
   return {lines[0], lines[1], lines[2]};
 }
 
@@ -182,12 +186,14 @@ ModelType grains() {
                    "evolution: a method based on the physics of blown sand. Journal of Computer Science and "
                    "Technology 27, 135-146; after the accounts of Szabo (2019, ch. 3) and Cimbura (2022, sec. 4.3 "
                    "and 5.11). Wind in the saltation layer after Bagnold (1941), splash ours.",
-               .makes = "ripples of sand and snow, about a decimetre long, on flat ground, over dunes, round plants",
-               .leaves_out = "turbulence, speed-up of the wind over a hill, sorting of grains by size, time in seconds",
+               .produces = "ripples of sand and snow, about a decimetre long, on flat ground, over dunes, round plants",
+               .limitations =
+                   "turbulence, speed-up of the wind over a hill, sorting of grains by size, time in seconds",
                .step = "one step polls as many grains as the grid has cells",
                .strength_label = "wind speed at wind_height, m/s (or friction velocity, m/s: see strength_is)",
                .start = {.cell_size = 0.01, .strength = 10, .sand = 200},
-               .painted = {plants_field}},
+               .painted = {plants_field},
+               .moves_grains = true},
       .parameters = grain_binding(),
       .fields = grain_fields(),
       .working_bytes = 64,  // the frozen ground, counts and sums of GrainBed, shelter behind plants
@@ -195,4 +201,4 @@ ModelType grains() {
       .explain = explain_grains};
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -24,7 +24,7 @@
 #include "models/grains/grain_values.h"
 #include "models/model.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Key of the layer of plants that the model declares; that of bonded grains is `bonded_field`.
 inline constexpr const char* plants_field = "vegetation";
@@ -36,20 +36,18 @@ class GrainModel : public Model {
 
   double quantum() const override;
   void begin(Terrain& terrain) override;
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override;
+  StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) override;
   double shadow_fall(double cell_size) const override;
-  std::vector<Reading> readings() const override;
-  void keep_paths(int count) override { paths_wanted_ = count; }
-  std::vector<GrainPath> paths() const override { return paths_; }
-
-  /// What the flights of the last step did; for `bench` and tests.
-  const FlightCounters& flights() const { return flights_; }
+  std::vector<Diagnostic> diagnostics() const override;
+  void keep_trajectories(int count) override { trajectories_wanted_ = count; }
+  std::vector<Trajectory> trajectories() const override { return trajectories_; }
 
  private:
-  std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const WindFrame& frame, double bearing);
-  GrainStepLaw step_law(const Terrain& terrain, const WindFrame& frame, const Forcing& wind);
-  void trace_paths(const Terrain& terrain, const WindFrame& frame, const GrainStepLaw& law, StepKey key,
-                   const SurfaceSnapshot& ground);
+  std::shared_ptr<const std::vector<float>> shelter(const Terrain& terrain, const forcing::WindFrame& frame,
+                                                    double bearing);
+  GrainStepLaw step_law(const Terrain& terrain, const forcing::WindFrame& frame, const forcing::Forcing& wind);
+  void trace_trajectories(const Terrain& terrain, const forcing::WindFrame& frame, const GrainStepLaw& law, StepKey key,
+                          const SurfaceSnapshot& ground);
 
   GrainValues values_;
   std::shared_ptr<const std::vector<float>> shelter_;
@@ -59,11 +57,11 @@ class GrainModel : public Model {
   FlightCounters flights_;
   std::int64_t lifts_ = 0;
   std::int64_t cut_off_ = 0;  // since the run was begun or taken up
-  int paths_wanted_ = 0;
-  std::vector<GrainPath> paths_;
+  int trajectories_wanted_ = 0;
+  std::vector<Trajectory> trajectories_;
 };
 
 /// The catalogue entry.
 ModelType grains();
 
-}  // namespace erg
+}  // namespace erg::models

@@ -4,7 +4,7 @@
 
 #include "models/grains/grain_bed_cell.h"
 
-namespace erg::grain {
+namespace erg::models::grain {
 
 struct Plan {
   BedPlanes bed;
@@ -18,9 +18,9 @@ struct Plan {
   int critical_step = 0;
   int shadow_rows = 32;  ///< of a line that one thread follows
 
-  std::uint32_t* bounds = nullptr;  ///< over the lowest bedrock, quanta: the highest cell; ~ the lowest cell
-  std::uint32_t* slid = nullptr;    ///< 1 where something slid
-  CounterWord* counters = nullptr;  ///< counter_slots * grain_counters
+  std::uint32_t* bounds = nullptr;           ///< over the lowest bedrock, quanta: the highest cell; ~ the lowest cell
+  std::uint32_t* slid = nullptr;             ///< 1 where something slid
+  compute::CounterWord* counters = nullptr;  ///< counter_slots * grain_counters
 };
 
-}  // namespace erg::grain
+}  // namespace erg::models::grain

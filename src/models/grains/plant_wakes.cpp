@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace erg {
+namespace erg::models {
+
+using forcing::WindFrame;
+
 namespace {
 
 /// The wake of plants along the wind.
@@ -67,4 +70,4 @@ std::vector<float> plant_shelter(const GrainValues& values, const Terrain& terra
   return shelter;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -6,11 +6,11 @@
 // every slab is accounted for.
 #pragma once
 
-namespace erg {
+namespace erg::models {
 
 struct ModelType;
 
 /// The catalogue entry.
 ModelType bishop();
 
-}  // namespace erg
+}  // namespace erg::models

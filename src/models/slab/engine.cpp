@@ -9,7 +9,7 @@
 #include "models/slab/slab_cell.h"
 #include "models/slab/sub_sweep.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 /// The steepest fall of a shadow line that 8-bit lanes can tell from a steeper one.
@@ -19,7 +19,8 @@ constexpr std::uint32_t narrow_shadow = 0xffff;
 /// cell to the ground, and not beyond where the line has met every cell that it ever meets.
 int warm_up_rows(const SubSweep& sweep, int highest) {
   const auto around = static_cast<int>(std::min<std::int64_t>(sweep.rows_around, std::numeric_limits<int>::max() / 2));
-  return shadow_reach(static_cast<double>(std::int64_t{highest} << fixed_point_bits), sweep.row_fall, 1, around + 2);
+  return forcing::shadow_reach(static_cast<double>(std::int64_t{highest} << kernels::fixed_point_bits), sweep.row_fall,
+                               1, around + 2);
 }
 
 /// Tiles are numbered up each block, then along the blocks.
@@ -40,8 +41,8 @@ int strips_over_edge(const SweepPlan<Lane>& plan, int lines) {
 
 }  // namespace
 
-StepReport SlabEngine::step(Terrain& terrain, const SlabLaw& law, const WindFrame& frame, double strength, StepKey key,
-                            Grid<std::int32_t>* lift_counts) {
+StepReport SlabEngine::step(Terrain& terrain, const SlabLaw& law, const forcing::WindFrame& frame, double strength,
+                            StepKey key, Grid<std::int32_t>* lift_counts) {
   largest_step_ = std::max({law.bare.straight, law.covered.straight, law.bare.diagonal, law.covered.diagonal});
   if (!lies_ready_for(frame) && !turn_rows(frame)) {
     sync_to_host(terrain);
@@ -79,7 +80,7 @@ StepReport SlabEngine::step(Terrain& terrain, const SlabLaw& law, const WindFram
 // --- sub-sweeps ---
 
 bool SlabEngine::goes_on(const Progress& progress) const {
-  return erg::goes_on(*progress.law, progress.account, cells(), options_.sweeps);
+  return erg::models::goes_on(*progress.law, progress.account, cells(), options_.sweeps);
 }
 
 /// Runs sub-sweeps until the step is done; false if 8-bit lanes cannot hold the next one, which then has left no trace.
@@ -310,4 +311,4 @@ SlidePlan<Lane> SlabEngine::slide_plan(const SweepPlan<Lane>& sweep, const SlabL
   return plan;
 }
 
-}  // namespace erg
+}  // namespace erg::models

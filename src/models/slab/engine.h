@@ -19,33 +19,33 @@
 #include "models/slab/slab_step.h"
 #include "models/slab/sweep.h"
 
-namespace erg {
+namespace erg::models {
 
 class SlabEngine : public SlabSolver {
  public:
   /// On the threads of the executor's processor, in its sub-sweeps.
-  explicit SlabEngine(Executor& executor) : options_(executor.options()), pool_(executor.processor().pool()) {}
+  explicit SlabEngine(compute::Executor& executor) : options_(executor.options()), pool_(executor.processor().pool()) {}
 
-  void load(const Terrain& terrain, const WindFrame& frame) override;
+  void load(const Terrain& terrain, const forcing::WindFrame& frame) override;
   void sync_to_host(Terrain& terrain) override;
-  StepReport step(Terrain& terrain, const SlabLaw& law, const WindFrame& frame, double strength, StepKey key,
+  StepReport step(Terrain& terrain, const SlabLaw& law, const forcing::WindFrame& frame, double strength, StepKey key,
                   Grid<std::int32_t>* lift_counts) override;
 
  private:
   /// The grid in the frame's order, counted from the lowest bedrock, and the strips that work on it.
   template <typename Lane>
   struct Planes {
-    AlignedVector<Lane> before;
-    AlignedVector<Lane> after;
-    AlignedVector<Lane> bedrock;  ///< empty where level
-    AlignedVector<Lane> steps;    ///< critical step of each cell; empty where all are the same
-    AlignedVector<Lane> diagonal_steps;
+    compute::AlignedVector<Lane> before;
+    compute::AlignedVector<Lane> after;
+    compute::AlignedVector<Lane> bedrock;  ///< empty where level
+    compute::AlignedVector<Lane> steps;    ///< critical step of each cell; empty where all are the same
+    compute::AlignedVector<Lane> diagonal_steps;
     std::vector<Strip<Lane>> strips;
-    AlignedVector<Lane> rings;
-    AlignedVector<Overhang<Lane>> overhangs;  ///< of each strip and row; empty where planes are not skewed
-    AlignedVector<Lane> firsts;               ///< SlidePlan::firsts
-    AlignedVector<Lane> edges;                ///< SlidePlan::edges, of two sub-sweeps in turn
-    AlignedVector<Lane> seams;                ///< SlidePlan::seam, for each member
+    compute::AlignedVector<Lane> rings;
+    compute::AlignedVector<Overhang<Lane>> overhangs;  ///< of each strip and row; empty where planes are not skewed
+    compute::AlignedVector<Lane> firsts;               ///< SlidePlan::firsts
+    compute::AlignedVector<Lane> edges;                ///< SlidePlan::edges, of two sub-sweeps in turn
+    compute::AlignedVector<Lane> seams;                ///< SlidePlan::seam, for each member
   };
 
   /// What the loaded cover, and the steps that stand under it, were made from.
@@ -84,10 +84,10 @@ class SlabEngine : public SlabSolver {
   bool narrow_fits(int highest) const { return highest + largest_step_ < 255; }
 
   std::int64_t cells() const { return static_cast<std::int64_t>(frame_.width) * frame_.length; }
-  bool lies_ready_for(const WindFrame& frame) const;
-  bool turn_rows(const WindFrame& frame);
+  bool lies_ready_for(const forcing::WindFrame& frame) const;
+  bool turn_rows(const forcing::WindFrame& frame);
   template <typename Lane>
-  void turn_rows_of(AlignedVector<Lane>& plane, const PlaneLayout& wanted, bool mirrored);
+  void turn_rows_of(compute::AlignedVector<Lane>& plane, const PlaneLayout& wanted, bool mirrored);
   template <typename Visit>
   void visit_cells(const Visit& visit);
   template <typename Lane>
@@ -136,10 +136,10 @@ class SlabEngine : public SlabSolver {
   template <typename Lane>
   SlidePlan<Lane> slide_plan(const SweepPlan<Lane>& sweep, const SlabLaw& law, int member, int turn);
 
-  const ExecutorOptions options_;
-  ThreadPool& pool_;
+  const compute::ExecutorOptions options_;
+  compute::ThreadPool& pool_;
 
-  WindFrame frame_;
+  forcing::WindFrame frame_;
   PlaneLayout layout_;
   bool open_ = false;
   bool relief_ = false;
@@ -150,9 +150,10 @@ class SlabEngine : public SlabSolver {
   int highest_ = 0;  ///< bound on the highest cell over base_
   Planes<std::uint8_t> narrow_planes_;
   Planes<std::uint16_t> wide_planes_;
-  AlignedVector<std::uint8_t> cover_;
-  AlignedVector<std::uint8_t> lifted_;       ///< of one sub-sweep (SweepPlan::lifted); empty unless lifts are counted
-  AlignedVector<std::uint32_t> step_lifts_;  ///< of each cell in this step, with it
+  compute::AlignedVector<std::uint8_t> cover_;
+  compute::AlignedVector<std::uint8_t>
+      lifted_;  ///< of one sub-sweep (SweepPlan::lifted); empty unless lifts are counted
+  compute::AlignedVector<std::uint32_t> step_lifts_;  ///< of each cell in this step, with it
   CoverSource cover_source_;
   std::vector<std::uint8_t> wall_rows_;
   std::vector<std::uint32_t> hop_table_;
@@ -160,4 +161,4 @@ class SlabEngine : public SlabSolver {
   int largest_step_ = 2;
 };
 
-}  // namespace erg
+}  // namespace erg::models

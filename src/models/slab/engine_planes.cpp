@@ -8,7 +8,10 @@
 #include "models/slab/engine.h"
 #include "models/slab/terrain_heights.h"
 
-namespace erg {
+namespace erg::models {
+
+using compute::AlignedVector;
+using forcing::WindFrame;
 
 void SlabEngine::load(const Terrain& terrain, const WindFrame& frame) {
   const TerrainHeights heights = check_height(terrain);
@@ -329,7 +332,7 @@ int SlabEngine::ring_rows(int highest) const {
   const std::size_t heights = std::min(hop_table_.size(), static_cast<std::size_t>(highest) + 1);
   const std::uint32_t longest =
       *std::max_element(hop_table_.begin(), hop_table_.begin() + static_cast<std::ptrdiff_t>(heights));
-  return static_cast<int>(std::bit_ceil((longest >> fixed_point_bits) + 2));
+  return static_cast<int>(std::bit_ceil((longest >> kernels::fixed_point_bits) + 2));
 }
 
 template void SlabEngine::load_cover<std::uint8_t>(const SlabLaw&);
@@ -341,4 +344,4 @@ template void SlabEngine::prepare_strips<std::uint16_t>(int);
 template bool SlabEngine::lines_stay_apart<std::uint8_t>() const;
 template bool SlabEngine::lines_stay_apart<std::uint16_t>() const;
 
-}  // namespace erg
+}  // namespace erg::models

@@ -2,7 +2,7 @@
 
 #include "models/slab/slab_model.h"
 
-namespace erg {
+namespace erg::models {
 
 ModelType momiji() {
   return slab_model_type(
@@ -11,10 +11,10 @@ ModelType momiji() {
        .citation =
            "Momiji, H., Carretero-Gonzalez, R., Bishop, S. R. & Warren, A. (2000). Simulation of the effect of wind "
            "speedup in the formation of transverse dune fields. Earth Surface Processes and Landforms 25, 905-918.",
-       .makes = "barchans and transverse dunes with a gentle stoss and a steep lee",
-       .leaves_out = "air flow, grain sizes; the speed-up is a function of height alone",
+       .produces = "barchans and transverse dunes with a gentle stoss and a steep lee",
+       .limitations = "air flow, grain sizes; the speed-up is a function of height alone",
        .start = {.spread = natural_spread}},
       {.repose_angle = 33.7, .lift_in_shadow = false, .hop_grows_with_height = true, .deviation_weight = 0});
 }
 
-}  // namespace erg
+}  // namespace erg::models

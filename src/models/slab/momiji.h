@@ -6,11 +6,11 @@
 // behind a crest is the 15 degree shadow.
 #pragma once
 
-namespace erg {
+namespace erg::models {
 
 struct ModelType;
 
 /// The catalogue entry.
 ModelType momiji();
 
-}  // namespace erg
+}  // namespace erg::models

@@ -8,7 +8,7 @@
 #include "models/slab/plants.h"
 #include "models/slab/slab_model.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 constexpr SlabFamily plant_family{
@@ -65,17 +65,17 @@ class NieldBaas : public SlabModel {
  public:
   explicit NieldBaas(const PlantedSlabs& values) : SlabModel(plant_family, values), values_(values) {}
 
-  void prepare(const Beginning& beginning) override { beginning_ = beginning; }
+  void prepare(const InitContext& context) override { context_ = context; }
 
   void begin(Terrain& terrain) override {
     SlabModel::begin(terrain);
-    plants_ = std::make_unique<Plants>(values_, beginning_.seed);
-    plants_->begin(terrain, std::exchange(beginning_.picture, nullptr));
+    plants_ = std::make_unique<Plants>(values_, context_.seed);
+    plants_->begin(terrain, std::exchange(context_.picture, nullptr));
   }
 
   void edited(Terrain& terrain) override { plants_->cover(terrain); }
 
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.lift_in_shadow = values_.lift_in_shadow;
     law.covered = ReposeSteps::of_angle(values_.vegetated_repose_angle, terrain.cell_size(), quantum());
@@ -91,7 +91,7 @@ class NieldBaas : public SlabModel {
 
  private:
   PlantedSlabs values_;
-  Beginning beginning_;
+  InitContext context_;
   std::unique_ptr<Plants> plants_;
 };
 
@@ -104,8 +104,8 @@ ModelType nield_baas() {
                .citation =
                    "Nield, J. M. & Baas, A. C. W. (2008). Investigating parabolic and nebkha dune formation using "
                    "a cellular automaton modelling approach. Earth Surface Processes and Landforms 33, 724-740.",
-               .makes = "nebkhas, parabolic dunes, blowouts, dunes around islands of plants",
-               .leaves_out = "water, seasons of growth, roots; wind speed-up over dunes",
+               .produces = "nebkhas, parabolic dunes, blowouts, dunes around islands of plants",
+               .limitations = "water, seasons of growth, roots; wind speed-up over dunes",
                .step = std::string(slab_step) + "; steps_per_year of them are a year",
                .strength_label = slab_strength,
                .painted = painted_plants()},
@@ -118,4 +118,4 @@ ModelType nield_baas() {
       .step_scale = plant_step_scale};
 }
 
-}  // namespace erg
+}  // namespace erg::models

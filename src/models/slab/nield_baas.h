@@ -6,11 +6,11 @@
 // would make plants repel sand; Baas 2002 has plus. Does not model: water, seasons of growth, roots, grazing.
 #pragma once
 
-namespace erg {
+namespace erg::models {
 
 struct ModelType;
 
 /// The catalogue entry.
 ModelType nield_baas();
 
-}  // namespace erg
+}  // namespace erg::models

@@ -4,11 +4,17 @@
 #include <cmath>
 #include <cstring>
 
+#include "models/slab/given.h"
 #include "models/slab/slab_kernels.h"
 #include "models/slab/terrain_heights.h"
 
-namespace erg {
+namespace erg::models {
 
+using forcing::WindFrame;
+using kernels::counted_in;
+using kernels::counted_lifts;
+using kernels::counted_out;
+using kernels::step_counters;
 using slab::Kernels;
 
 // --- in and out ---
@@ -20,20 +26,23 @@ void SlabOnDevice::allocate(const Terrain& terrain) {
   const std::size_t most_aloft = (count + block - 1) / block + longest_side;  // a slab for each poll of a sub-sweep
   backend_.fit(before_, count);
   backend_.fit(after_, count);
-  backend_.fit(bedrock_, relief_ ? count : 0);
-  backend_.fit(cover_, cover_.size() > 0 ? count : 0);
-  backend_.fit(dark_, count);
   backend_.fit(staged_, count);
   backend_.fit(shown_, count);
   backend_.fit(bands_changed_, (count + slab::band_cells - 1) / slab::band_cells);
-  backend_.fit(aloft_, open_ ? 0 : most_aloft);
-  backend_.fit(first_aloft_, longest_side);
-  backend_.fit(aloft_count_, 1);
-  backend_.fit(highest_, 2);
+  backend_.fit(aloft_, longest_side + 1 + (open_ ? 0 : most_aloft));
+  backend_.fit(numbers_, slab::highest_at + 2);
   backend_.fit(hop_table_, slab::hop_heights);
   backend_.fit(height_counts_, slab::hop_heights);
-  backend_.fit(counters_, std::size_t{counter_slots} * step_counters);
-  backend_.fill(first_aloft_, 0xff);
+  backend_.fill(aloft_, 0xff);
+  lay_bare_bed(relief_ || bed_.size() > 0);
+}
+
+/// Level bed words without cover, or none.
+void SlabOnDevice::lay_bare_bed(bool wanted) {
+  backend_.fit(bed_, wanted ? before_.size() : 0);
+  if (wanted) backend_.fill(bed_, 0);
+  covered_ = false;
+  cover_stamp_ = 0;
 }
 
 void SlabOnDevice::load(const Terrain& terrain, const WindFrame& frame) {
@@ -57,9 +66,8 @@ void SlabOnDevice::load(const Terrain& terrain, const WindFrame& frame) {
     backend_.launch(Kernels::scatter_bedrock, cells(), plan);
   }
   const std::uint32_t bounds[2] = {static_cast<std::uint32_t>(heights.highest), 0};
-  backend_.send(highest_.data(), bounds, 2);
+  backend_.send(numbers_.data() + slab::highest_at, bounds, 2);
   current_ = 0;
-  cover_stamp_ = 0;
 }
 
 void SlabOnDevice::turn(const WindFrame& frame) {
@@ -118,50 +126,54 @@ void SlabOnDevice::take_lift_counts(Grid<std::int32_t>& counts) {
 
 slab::Plan SlabOnDevice::layout() const {
   slab::Plan plan;
-  plan.width = frame_.width;
-  plan.length = frame_.length;
-  plan.open = open_;
-  plan.shadow_rows = std::min(backend_.rows_a_thread(), frame_.length);
+  slab::give_grid(frame_, open_, plan.given);
+  plan.given.shadow_rows = std::min(backend_.rows_a_thread(), frame_.length);
+  plan.given.bedded = bed_.size() > 0 ? 1 : 0;
+  plan.given.count_lifts = lift_counts_.size() > 0 ? 1 : 0;
   plan.before = before_.data();
   plan.after = after_.data();
-  plan.bedrock = bedrock_.data();
-  plan.cover = cover_.data();
-  plan.dark = dark_.data();
-  plan.hop_table = hop_table_.data();
-  plan.height_counts = height_counts_.data();
-  plan.first_aloft = first_aloft_.data();
+  plan.bed = bed_.data();
+  plan.numbers = numbers_.data();
   plan.aloft = aloft_.data();
-  plan.aloft_count = aloft_count_.data();
-  plan.counters = counters_.data();
-  plan.order = terrain_order(frame_);
+  plan.hop_table = hop_table_.data();
+  plan.lift_counts = lift_counts_.data();
   plan.staged = staged_.data();
   plan.shown = shown_.data();
   plan.bands_changed = bands_changed_.data();
-  plan.lift_counts = lift_counts_.data();
+  plan.height_counts = height_counts_.data();
   return plan;
 }
 
-void SlabOnDevice::load_cover(const SlabLaw& law) {
-  if (law.cover == nullptr) {
-    cover_ = Buffer<std::uint8_t>();
-    cover_stamp_ = 0;
-    kept_cover_.reset();
-    return;
+void SlabOnDevice::drop_cover() {
+  if (covered_ && relief_) {
+    backend_.fill(staged_, 0);
+    backend_.launch(Kernels::scatter_cover, cells(), layout());
+  } else if (covered_) {
+    lay_bare_bed(false);
   }
+  covered_ = false;
+  cover_stamp_ = 0;
+  kept_cover_.reset();
+}
+
+void SlabOnDevice::load_cover(const SlabLaw& law) {
+  if (law.cover == nullptr) return drop_cover();
   if (cover_stamp_ == law.cover->stamp()) return;
-  backend_.fit(cover_, dark_.size());
+  if (bed_.size() == 0) lay_bare_bed(true);
   kept_cover_ = std::make_shared<const Cover>(*law.cover);
   const auto cover = (*law.cover)->cells();
   backend_.copy_in(staged_.data(), cover.size(), [&](std::byte* target, std::size_t first, std::size_t bytes) {
     std::memcpy(target, cover.data() + first, bytes);
   });
   backend_.launch(Kernels::scatter_cover, cells(), layout());
+  covered_ = true;
   cover_stamp_ = law.cover->stamp();
 }
 
 /// Mean of |h - mean| over the cells, from counts of heights: the same sum as on the processor.
 double SlabOnDevice::mean_deviation(const slab::Plan& plan, double mean) {
-  const std::uint32_t highest = backend_.fetch(highest_.data(), 2)[static_cast<std::size_t>(current_)];
+  const std::uint32_t highest =
+      backend_.fetch(numbers_.data() + slab::highest_at, 2)[static_cast<std::size_t>(current_)];
   const std::size_t heights = std::min<std::size_t>(highest, slab::hop_heights - 1) + 1;
   backend_.fill(height_counts_.data(), 0, heights * sizeof(std::uint32_t));
   backend_.launch(Kernels::count_heights, cells(), plan);
@@ -174,25 +186,35 @@ double SlabOnDevice::mean_deviation(const slab::Plan& plan, double mean) {
 }
 
 void SlabOnDevice::prepare_hops(slab::Plan& plan, const SlabLaw& law, double strength, StepKey key) {
-  plan.hop_by_height = law.hop.depends_on_height();
-  plan.hop = {strength,      law.hop.linear,    law.hop.quadratic,
-              frame_.cosine, hop_rounding(key), most_hop_rows(strength, frame_.cosine, frame_.length)};
-  if (plan.hop_by_height) {
-    const double mean = static_cast<double>(bedrock_total_ + mobile_total_) / static_cast<double>(cells()) - base_;
-    const double deviation = law.hop.deviation_weight != 0 ? mean_deviation(plan, mean) : 0;
-    plan.hop_reference = mean - law.hop.deviation_weight * deviation;
-  }
-  backend_.launch(Kernels::fill_hop_table, plan.hop_by_height ? slab::hop_heights : 1, plan);
+  const HopCurve hop{strength,      law.hop.linear,    law.hop.quadratic,
+                     frame_.cosine, hop_rounding(key), most_hop_rows(strength, frame_.cosine, frame_.length)};
+  plan.given.hop_by_height = law.hop.depends_on_height() ? 1 : 0;
+  plan.given.rows_256 = hop_rows_256(hop, 0);
+  if (!law.hop.depends_on_height()) return;
+  const double mean = static_cast<double>(bedrock_total_ + mobile_total_) / static_cast<double>(cells()) - base_;
+  const double deviation = law.hop.deviation_weight != 0 ? mean_deviation(plan, mean) : 0;
+  const slab::HopTable table(hop, mean - law.hop.deviation_weight * deviation);
+  backend_.send_each(hop_table_, [&](std::size_t height) { return table.rows_256(height); });
 }
 
 slab::Plan SlabOnDevice::step_plan(const SlabLaw& law, double strength, StepKey key) {
   load_cover(law);
   slab::Plan plan = layout();
-  plan.walls = law.obstacles && relief_;
-  plan.covered_from = law.covered_from;
-  plan.tiles = plane_layout(frame_, open_);
+  plan.given.walls = law.obstacles && relief_ ? 1 : 0;
+  plan.given.covered_from = law.cover != nullptr ? law.covered_from : 256;
   prepare_hops(plan, law, strength, key);
   return plan;
+}
+
+/// What kernels have counted since the step began.
+kernels::StepCounters SlabOnDevice::read_counters() {
+  kernels::StepCounters sums;
+  const std::vector<std::uint32_t> words = backend_.fetch(numbers_.data(), slab::highest_at);
+  for (std::size_t k = 0; k < words.size(); k += 2) {
+    const std::uint64_t number = words[k] | std::uint64_t{words[k + 1]} << 32;
+    sums.of[k / 2 % step_counters] += static_cast<std::int64_t>(number);
+  }
+  return sums;
 }
 
 // --- steps ---
@@ -203,72 +225,79 @@ StepReport SlabOnDevice::step(Terrain&, const SlabLaw& law, const WindFrame& fra
   if (!frame_.same_axes(frame)) turn(frame);
   frame_ = frame;
   slab::Plan plan = step_plan(law, strength, key);
-  backend_.fill(counters_, 0);
-  StepCounters counts;
+  backend_.fill(numbers_.data(), 0, slab::highest_at * sizeof(std::uint32_t));
+  kernels::StepCounters counts;
   StepAccount account;
   while (goes_on(law, account, cells(), sweeps_)) {
     if (!law.repeated_polling && account.sweep % sweeps_ == 0) polled_rows_.draw(key, account.sweep, sweeps_);
-    plan.sweep = sub_sweep(law, frame_, open_, key, account, sweeps_, polled_rows_);
+    const SubSweep drawn = sub_sweep(law, frame_, open_, key, account, sweeps_, polled_rows_);
+    slab::give_sub_sweep(drawn, plan.given);
+    plan.given.current_bound = current_;
     sweep(plan);
-    slide(plan, law);
+    slide(plan, law, drawn);
     std::swap(before_, after_);
     std::swap(plan.before, plan.after);
     current_ = 1 - current_;
-    if (law.forced_erosion) counts = backend_.read_counters<step_counters>(counters_);  // else nobody asks
-    account.book(plan.sweep, counts.of[counted_lifts] - account.lifts);
+    if (law.forced_erosion) counts = read_counters();  // else nobody asks
+    account.book(drawn, counts.of[counted_lifts] - account.lifts);
   }
-  counts = backend_.read_counters<step_counters>(counters_);
+  counts = read_counters();
   if (lift_counts != nullptr) take_lift_counts(*lift_counts);
   mobile_total_ += counts.of[counted_in] - counts.of[counted_out];
   StepReport report;
-  report.polls = counts.of[counted_polls];
+  report.polls = counts.of[kernels::counted_polls];
   report.lifts = counts.of[counted_lifts];
-  report.travel = static_cast<double>(counts.of[counted_rows]) / frame_.cosine;
+  report.travel = static_cast<double>(counts.of[kernels::counted_rows]) / frame_.cosine;
   report.slabs_in = counts.of[counted_in];
   report.slabs_out = counts.of[counted_out];
   return report;
 }
 
 /// One sub-sweep without its slides.
-void SlabOnDevice::sweep(slab::Plan plan) {
-  plan.highest = highest_.data() + current_;
-  plan.next_highest = highest_.data() + (1 - current_);
-  const std::int64_t pieces = (plan.length + plan.shadow_rows - 1) / plan.shadow_rows;
-  const std::int64_t blocks = (plan.length + poll_rows(plan.sweep) - 1) / poll_rows(plan.sweep);
-  backend_.launch(Kernels::cast_shadow, pieces * plan.width, plan);
-  if (plan.sweep.inflow > 0) backend_.launch(Kernels::let_in, plan.width + plan.length - 1, plan);
-  backend_.launch(Kernels::lift, blocks * plan.width, plan);
-  if (!plan.open) backend_.launch(Kernels::carry, plan.width, plan);
+void SlabOnDevice::sweep(const slab::Plan& plan) {
+  const slab::Given& given = plan.given;
+  const std::int64_t pieces = (given.rows + given.shadow_rows - 1) / given.shadow_rows;
+  const std::int64_t blocks = (given.rows + given.poll_rows - 1) / given.poll_rows;
+  backend_.launch(Kernels::cast_shadow, pieces * given.width, plan);
+  if (given.inflow > 0 || given.inflow_from <= 0xffff) {
+    backend_.launch(Kernels::let_in, given.width + given.rows - 1, plan);
+  }
+  backend_.launch(Kernels::lift, blocks * given.width, plan);
+  if (!open_) backend_.launch(Kernels::carry, given.width, plan);
 }
 
 /// Slides inside tiles, class by class, then over the seams between tiles.
-void SlabOnDevice::slide(slab::Plan plan, const SlabLaw& law) {
+void SlabOnDevice::slide(slab::Plan plan, const SlabLaw& law, const SubSweep& drawn) {
+  const slab::Given& given = plan.given;
   const auto choose = [&](EdgeClass edges) {
     const bool diagonal = is_diagonal(edges);
-    plan.edges = edges;
-    plan.critical_step = std::min(diagonal ? law.bare.diagonal : law.bare.straight, longest_step);
-    plan.critical_step_covered = std::min(diagonal ? law.covered.diagonal : law.covered.straight, longest_step);
+    const auto stands = [&](const ReposeSteps& steps) {
+      return static_cast<std::uint32_t>(std::min(diagonal ? steps.diagonal : steps.straight, longest_step));
+    };
+    plan.given.edges = edges;
+    plan.given.critical_step = stands(law.bare);
+    plan.given.critical_step_covered = stands(law.covered);
   };
-  for (int k = 0; k < plan.sweep.edge_classes; ++k) {
-    choose(static_cast<EdgeClass>(plan.sweep.order[k]));
-    backend_.launch(Kernels::slide_tiles, (cells() + plan.width + plan.length) / 2, plan);
+  for (int k = 0; k < drawn.edge_classes; ++k) {
+    choose(static_cast<EdgeClass>(drawn.order[k]));
+    backend_.launch(Kernels::slide_tiles, (cells() + given.width + given.rows) / 2, plan);
   }
-  const bool diagonals = plan.sweep.edge_classes == 8;
+  const bool diagonals = drawn.edge_classes == 8;
   for (const EdgeClass edges : {along_even, rising_even, falling_even}) {
     if (is_diagonal(edges) && !diagonals) continue;
     choose(edges);
-    backend_.launch(Kernels::slide_row_seams, std::int64_t{plan.width} * (plan.length / tile_rows + 1), plan);
+    backend_.launch(Kernels::slide_row_seams, std::int64_t{given.width} * (given.rows / tile_rows + 1), plan);
   }
   for (const EdgeClass edges : {across_even, along_even, rising_even, falling_even}) {
-    if (is_diagonal(edges) ? !diagonals : edges == along_even && plan.tiles.lean == 0) continue;
+    if (is_diagonal(edges) ? !diagonals : edges == along_even && given.lean == 0) continue;
     choose(edges);
-    backend_.launch(Kernels::slide_column_seams, std::int64_t{plan.length} * plan.tiles.blocks, plan);
+    backend_.launch(Kernels::slide_column_seams, std::int64_t{given.rows} * given.blocks, plan);
   }
   for (const EdgeClass edges : {rising_even, falling_even}) {
-    if (!diagonals || plan.tiles.lean == 0 || plan.length < 2) continue;
+    if (!diagonals || given.lean == 0 || given.rows < 2) continue;
     choose(edges);
-    backend_.launch(Kernels::slide_corners, plan.tiles.blocks, plan);
+    backend_.launch(Kernels::slide_corners, given.blocks, plan);
   }
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -4,9 +4,9 @@
 
 #include "forcing/wind_frame.h"
 
-namespace erg {
+namespace erg::models {
 
-PlaneLayout plane_layout(const WindFrame& frame, bool open) {
+PlaneLayout plane_layout(const forcing::WindFrame& frame, bool open) {
   const int width = frame.width;
   const int length = frame.length;
   const auto whole_lines = [](int columns) { return (columns + 63) / 64 * 64; };
@@ -26,4 +26,4 @@ PlaneLayout plane_layout(const WindFrame& frame, bool open) {
   return layout;
 }
 
-}  // namespace erg
+}  // namespace erg::models

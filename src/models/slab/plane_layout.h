@@ -6,10 +6,9 @@
 #include <cstdint>
 
 #include "core/cell_rule.h"
+#include "forcing/wind_frame.h"
 
-namespace erg {
-
-struct WindFrame;
+namespace erg::models {
 
 /// Rows of a tile: slides inside tiles come first, then the seams between them.
 inline constexpr int tile_rows = 32;
@@ -58,6 +57,6 @@ struct PlaneLayout {
 
 /// Cuts the frame's planes into blocks of about 512 columns, two at least from 256 columns on. Open edges and planes of
 /// one block stay unskewed.
-PlaneLayout plane_layout(const WindFrame& frame, bool open);
+PlaneLayout plane_layout(const forcing::WindFrame& frame, bool open);
 
-}  // namespace erg
+}  // namespace erg::models

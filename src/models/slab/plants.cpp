@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 // Fields, in their order on the terrain.
@@ -280,7 +280,7 @@ bool Plants::comes_up(const Grid<std::uint8_t>& stood, std::size_t cell, std::si
   return beside && random_unit(key, number, cell, draw_lateral) < values_.lateral_chance;
 }
 
-bool Plants::grow(Terrain& terrain, StepKey key, Executor& executor) {
+bool Plants::grow(Terrain& terrain, StepKey key, compute::Executor& executor) {
   std::vector<Field>& fields = terrain.edit_fields();
   std::array<Grid<std::uint8_t>, species_count> stood;  // 1 where a species held sand before, while plants spread
   for (std::size_t k = 0; values_.spreading && k < species_count; ++k) {
@@ -316,4 +316,4 @@ bool Plants::grow(Terrain& terrain, StepKey key, Executor& executor) {
   return !alive.load();
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -16,7 +16,7 @@
 #include "core/terrain.h"
 #include "models/slab/slab_law.h"
 
-namespace erg {
+namespace erg::models {
 
 /// A species of plants: how it is at the start, and how it grows.
 struct PlantSpecies {
@@ -60,7 +60,7 @@ class Plants {
   const Cover& cover(Terrain& terrain);
   /// The yearly change, from a terrain that is up to date. True where nothing can move any more, now or later: sand
   /// lies only under plants that hold all of it, and these change no more.
-  bool grow(Terrain& terrain, StepKey key, Executor& executor);
+  bool grow(Terrain& terrain, StepKey key, compute::Executor& executor);
 
  private:
   /// The start of one cell as a share of the start values.
@@ -75,4 +75,4 @@ class Plants {
   std::uint64_t fields_stamp_ = 0;  // of the fields that it was made from
 };
 
-}  // namespace erg
+}  // namespace erg::models

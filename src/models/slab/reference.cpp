@@ -10,7 +10,12 @@
 #include "models/slab/shadow_reach.h"
 #include "models/slab/terrain_heights.h"
 
-namespace erg {
+namespace erg::models {
+
+using forcing::WindFrame;
+using kernels::fixed_point;
+using kernels::fixed_point_bits;
+
 namespace {
 
 constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -93,7 +98,7 @@ void SlabReference::sync_to_host(Terrain& terrain) {
 }
 
 void SlabReference::prepare(const SlabLaw& law) {
-  const ShadowFalls falls = shadow_falls(frame_, law.shadow_fall);
+  const forcing::ShadowFalls falls = forcing::shadow_falls(frame_, law.shadow_fall);
   row_fall_ = fixed_point(falls.row);
   next_fall_ = fixed_point(falls.next);
   second_fall_ = fixed_point(falls.second);
@@ -357,4 +362,4 @@ void SlabReference::change(std::size_t cell, int slabs) {
   if (law_.hop.deviation_weight != 0) deviation_ += std::abs(after - mean_) - std::abs(before - mean_);
 }
 
-}  // namespace erg
+}  // namespace erg::models

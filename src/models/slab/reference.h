@@ -7,14 +7,14 @@
 #include "forcing/wind_frame.h"
 #include "models/slab/slab_step.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Slabs under the executor "serial".
 class SlabReference : public SlabSolver {
  public:
-  void load(const Terrain& terrain, const WindFrame& frame) override;
+  void load(const Terrain& terrain, const forcing::WindFrame& frame) override;
   void sync_to_host(Terrain& terrain) override;
-  StepReport step(Terrain& terrain, const SlabLaw& law, const WindFrame& frame, double strength, StepKey key,
+  StepReport step(Terrain& terrain, const SlabLaw& law, const forcing::WindFrame& frame, double strength, StepKey key,
                   Grid<std::int32_t>* lift_counts) override;
 
  private:
@@ -60,7 +60,7 @@ class SlabReference : public SlabSolver {
   bool covered(std::size_t cell) const { return !cover_.empty() && cover_[cell] >= law_.covered_from; }
   void change(std::size_t cell, int slabs);
 
-  WindFrame frame_;
+  forcing::WindFrame frame_;
   bool open_ = false;
   bool has_relief_ = false;
   // Heights over lowest_, along the wind fastest: a look upwind reads neighbours in memory. 16 bits, since the random
@@ -87,4 +87,4 @@ class SlabReference : public SlabSolver {
   StepReport report_;
 };
 
-}  // namespace erg
+}  // namespace erg::models

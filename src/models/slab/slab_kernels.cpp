@@ -1,10 +1,10 @@
 #include "models/slab/slab_kernels.h"
 
-namespace erg::slab {
+namespace erg::models::slab {
 
 #define ERG_KERNEL(family, name) \
-  constinit const KernelOf<Plan> Kernels::name = make_kernel<Plan, family::name>(#family "_" #name);
+  constinit const compute::KernelOf<Plan> Kernels::name = compute::make_kernel<Plan, family::name>(#family "_" #name);
 #include "models/slab/slab_kernels.def"
 #undef ERG_KERNEL
 
-}  // namespace erg::slab
+}  // namespace erg::models::slab

@@ -8,7 +8,7 @@
 #include "core/stamp.h"
 #include "models/slab/slab_cell.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Cover as executors use it: 255 is rho = 1 (nothing lifts, everything that lands stays), 0 is bare.
 using CoverField = Grid<std::uint8_t>;
@@ -64,4 +64,4 @@ struct SlabLaw {
   const Cover* cover = nullptr;    ///< not owned; null: bare everywhere
 };
 
-}  // namespace erg
+}  // namespace erg::models

@@ -8,7 +8,7 @@
 #include "forcing/shadow.h"
 #include "models/slab/terrain_heights.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 ReposeSteps repose_steps(const SlabValues& values, double cell_size) {
@@ -138,7 +138,7 @@ std::vector<std::string> explain_slabs(const SlabValues& values, double cell_siz
                 degrees(std::atan(steps.straight * slab / cell_size)));
   char shadow[120];
   std::snprintf(shadow, sizeof shadow, "shadow %g°: the shadow line falls %.3f slabs a cell", values.shadow_angle,
-                shadow_fall(values.shadow_angle, cell_size, slab));
+                forcing::shadow_fall(values.shadow_angle, cell_size, slab));
   return {repose, shadow};
 }
 
@@ -159,7 +159,7 @@ double SlabModel::quantum() const { return values_.slab_height; }
 void SlabModel::begin(Terrain& terrain) { check_height(terrain); }
 
 double SlabModel::shadow_fall(double cell_size) const {
-  return erg::shadow_fall(values_.shadow_angle, cell_size, quantum());
+  return erg::forcing::shadow_fall(values_.shadow_angle, cell_size, quantum());
 }
 
 SlabLaw SlabModel::law(const Terrain& terrain) const {
@@ -180,13 +180,19 @@ SlabLaw SlabModel::law(const Terrain& terrain) const {
   return law;
 }
 
-StepReport SlabModel::step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) {
+StepReport SlabModel::step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) {
   return move_slabs(executor, terrain, law(terrain), wind, key);
 }
 
 ModelType slab_model_type(ModelInfo info, SlabFamily family) {
   info.step = slab_step;
   info.strength_label = slab_strength;
+  constexpr int growing_steps = 300;
+  const std::string steady = "wind.spread=0";
+  info.bench_scenes = {{.name = "dunes", .steps = growing_steps, .settings = {steady}},
+                       {.name = "swinging wind", .steps = growing_steps},
+                       {.name = "oblique wind", .steps = growing_steps, .oblique = true, .settings = {steady}},
+                       {.name = "obstacles", .steps = growing_steps, .settings = {steady, "scene.kind=rocks"}}};
   return ModelOf<SlabValues>{
       .info = std::move(info),
       .parameters = slab_binding(family),
@@ -195,4 +201,4 @@ ModelType slab_model_type(ModelInfo info, SlabFamily family) {
       .step_scale = slab_step_scale};
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -4,7 +4,7 @@
 #include "models/model.h"
 #include "models/slab/slab_step.h"
 
-namespace erg {
+namespace erg::models {
 
 /// What a time step and the wind's strength are in models of this family (ModelInfo).
 inline constexpr const char* slab_step = "one step polls as many cells as the grid has";
@@ -66,7 +66,7 @@ class SlabModel : public Model {
 
   double quantum() const override;
   void begin(Terrain& terrain) override;
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override;
+  StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) override;
   double shadow_fall(double cell_size) const override;
 
   /// The law on this terrain's grid.
@@ -80,4 +80,4 @@ class SlabModel : public Model {
 /// The catalogue entry of a model of this family that is nothing but its law; says what step and strength are.
 ModelType slab_model_type(ModelInfo info, SlabFamily family);
 
-}  // namespace erg
+}  // namespace erg::models

@@ -6,7 +6,11 @@
 #include "models/slab/on_device.h"
 #include "models/slab/reference.h"
 
-namespace erg {
+namespace erg::models {
+
+using compute::Executor;
+using forcing::Forcing;
+
 namespace {
 
 /// A step of slabs, as executors carry it out.
@@ -20,12 +24,12 @@ struct SlabStep {
   std::shared_ptr<const Cover> cover = {};  ///< the law's, where it is kept for later
 
   std::unique_ptr<SlabSolver> make_solver(Executor& executor) const {
-    if (Backend* const device = executor.device())
+    if (compute::Backend* const device = executor.device())
       return std::make_unique<SlabOnDevice>(*device, executor.sub_sweeps());
     if (executor.sub_sweeps() == 0) return std::make_unique<SlabReference>();
     return std::make_unique<SlabEngine>(executor);
   }
-  WindFrame frame(const Terrain& terrain) const { return wind_frame(terrain.extent(), wind.bearing); }
+  forcing::WindFrame frame(const Terrain& terrain) const { return forcing::wind_frame(terrain.extent(), wind.bearing); }
   void load(SlabSolver& solver, const Terrain& terrain) const { solver.load(terrain, frame(terrain)); }
   StepReport run(SlabSolver& solver, Terrain& terrain, Executor& executor) const {
     const StepReport report = solver.step(terrain, law, frame(terrain), wind.strength, key, executor.lift_counts());
@@ -47,4 +51,4 @@ StepReport move_slabs(Executor& executor, Terrain& terrain, const SlabLaw& law, 
   return wind.strength > 0 ? executor.carry_out(terrain, SlabStep{law, wind, key}) : StepReport{};
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -12,19 +12,20 @@
 #include "models/slab/slab_law.h"
 #include "models/step_report.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Moves the slabs of one time step and books in- and outflow in the terrain's ledger; a wind of strength 0 is a calm,
 /// in which nothing moves. Throws InputError for a terrain that is too high (terrain_heights.h).
-StepReport move_slabs(Executor& executor, Terrain& terrain, const SlabLaw& law, const Forcing& wind, StepKey key);
+StepReport move_slabs(compute::Executor& executor, Terrain& terrain, const SlabLaw& law, const forcing::Forcing& wind,
+                      StepKey key);
 
 /// Holds a terrain of slabs and moves them.
-class SlabSolver : public Solver {
+class SlabSolver : public compute::Solver {
  public:
-  virtual void load(const Terrain& terrain, const WindFrame& frame) = 0;
+  virtual void load(const Terrain& terrain, const forcing::WindFrame& frame) = 0;
   /// One step of the terrain that is loaded, whose layers need not be up to date. `lift_counts`: Executor::lift_counts.
-  virtual StepReport step(Terrain& terrain, const SlabLaw& law, const WindFrame& frame, double strength, StepKey key,
-                          Grid<std::int32_t>* lift_counts) = 0;
+  virtual StepReport step(Terrain& terrain, const SlabLaw& law, const forcing::WindFrame& frame, double strength,
+                          StepKey key, Grid<std::int32_t>* lift_counts) = 0;
 };
 
-}  // namespace erg
+}  // namespace erg::models

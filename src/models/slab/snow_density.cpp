@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace erg {
+namespace erg::models {
 
 double fresh_density_alta(double temperature) {
   if (temperature <= -15) return 50;
@@ -24,4 +24,4 @@ const std::array<SnowClass, 5>& snow_classes() {
   return classes;
 }
 
-}  // namespace erg
+}  // namespace erg::models

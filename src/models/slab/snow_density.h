@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-namespace erg {
+namespace erg::models {
 
 /// Density of fresh snow, kg/m3. `temperature` in deg C.
 /// Alta: 50 + 1.7 (T + 15)^1.5 above -15 deg C, else 50 (LaChapelle 1961 in Anderson 1976).
@@ -26,4 +26,4 @@ struct SnowClass {
 /// All of them.
 const std::array<SnowClass, 5>& snow_classes();
 
-}  // namespace erg
+}  // namespace erg::models

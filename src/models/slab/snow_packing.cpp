@@ -10,7 +10,7 @@
 #include "models/slab/slab_model.h"
 #include "models/slab/snow_density.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 constexpr SlabFamily packing_family{.timed_by_flux = false};  // else Werner's
@@ -114,7 +114,7 @@ class SnowPacking : public SlabModel {
  public:
   explicit SnowPacking(const PackingValues& values) : SlabModel(packing_family, values), values_(values) {}
 
-  void prepare(const Beginning& beginning) override { first_temperature_ = beginning.weather.temperature; }
+  void prepare(const InitContext& context) override { first_temperature_ = context.weather.temperature; }
 
   void begin(Terrain& terrain) override {
     SlabModel::begin(terrain);
@@ -126,7 +126,7 @@ class SnowPacking : public SlabModel {
     fields[density].values.fill(static_cast<float>(start * snow_class(values_, 0).most));
   }
 
-  StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override {
+  StepReport step(Terrain& terrain, const forcing::Forcing& wind, StepKey key, compute::Executor& executor) override {
     SlabLaw law = SlabModel::law(terrain);
     law.cover = &cover(terrain);
     StepReport report = move_slabs(executor, terrain, law, wind, key);
@@ -172,17 +172,20 @@ class SnowPacking : public SlabModel {
 
 ModelType snow_packing() {
   return ModelOf<PackingValues>{
-      .info = {.key = "snow_packing",
-               .title = "Snow packing",
-               .citation =
-                   "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
-                   "printed it is 0 at -20 °C)",
-               .makes = "snow ripples that freeze day by day",
-               .leaves_out = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
-               .step = "a day; polls as many cells as the grid has",
-               .strength_label = slab_strength,
-               .material = Material::snow,
-               .channels = {"temperature"}},
+      .info =
+          {.key = "snow_packing",
+           .title = "Snow packing",
+           .citation = "after Cimbura, V. (2022), sections 4.8 and 5.12, with the growth of resistance repaired (as "
+                       "printed it is 0 at -20 °C)",
+           .produces = "snow ripples that freeze day by day",
+           .limitations = "melting, snowfall, layers, sunshine; bedforms carved into hard snow (see snow_sintering)",
+           .step = "a day; polls as many cells as the grid has",
+           .strength_label = slab_strength,
+           .material = Material::snow,
+           .channels = {"temperature"},
+           // Snow that freezes soon would leave little to measure.
+           .bench_scenes = {{.name = "dunes", .steps = 20, .settings = {"temperature=-60"}},
+                            {.name = "oblique wind", .steps = 20, .oblique = true, .settings = {"temperature=-60"}}}},
       .parameters = snow_packing_binding(),
       .fields = snow_packing_fields(),
       .working_bytes = 5,  // the cover, here and with the executor, with room
@@ -194,4 +197,4 @@ ModelType snow_packing() {
           }};
 }
 
-}  // namespace erg
+}  // namespace erg::models

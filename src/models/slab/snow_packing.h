@@ -11,11 +11,11 @@
 // rate is fitted to the printed 98 days at -20 deg C. Does not model: melting, snowfall, layers, sunshine.
 #pragma once
 
-namespace erg {
+namespace erg::models {
 
 struct ModelType;
 
 /// The catalogue entry.
 ModelType snow_packing();
 
-}  // namespace erg
+}  // namespace erg::models

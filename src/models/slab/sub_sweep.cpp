@@ -12,7 +12,10 @@
 #include "models/slab/shadow_reach.h"
 #include "models/slab/slab_law.h"
 
-namespace erg {
+namespace erg::models {
+
+using forcing::WindFrame;
+
 namespace {
 
 /// What the random words of a step are for; each has a key space of its own.
@@ -97,9 +100,9 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   drawn.p_bare_16 = static_cast<std::uint32_t>(std::llround(law.p_bare * 65536));
   drawn.lift_in_shadow = law.lift_in_shadow;
   const auto fall = [](double slabs) {
-    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(fixed_point(slabs), 1, 0xffffffff));
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(kernels::fixed_point(slabs), 1, 0xffffffff));
   };
-  const ShadowFalls falls = shadow_falls(frame, law.shadow_fall);
+  const forcing::ShadowFalls falls = forcing::shadow_falls(frame, law.shadow_fall);
   drawn.row_fall = fall(falls.row);
   drawn.next_fall = fall(falls.next);
   drawn.second_fall = fall(falls.second);
@@ -114,4 +117,4 @@ bool goes_on(const SlabLaw& law, const StepAccount& account, std::int64_t cells,
   return !account.complete && account.lifts < cells && account.idle < idle_rounds * sweeps;
 }
 
-}  // namespace erg
+}  // namespace erg::models

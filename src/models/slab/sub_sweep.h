@@ -5,12 +5,11 @@
 #include <cstdint>
 
 #include "core/random.h"
+#include "forcing/wind_frame.h"
 
-namespace erg {
+namespace erg::models {
 
 struct SlabLaw;
-struct WindFrame;
-
 /// Edge classes: edges of one class share no cell.
 enum EdgeClass : std::uint8_t {
   along_even,
@@ -85,8 +84,8 @@ struct StepAccount {
 
 /// The next sub-sweep of the step `key`, of `sweeps` (K) that make a step. `rows` are drawn for its round;
 /// where polling is repeated nobody looks at them.
-SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKey key, const StepAccount& account,
-                   int sweeps, const PolledRows& rows);
+SubSweep sub_sweep(const SlabLaw& law, const forcing::WindFrame& frame, bool open, StepKey key,
+                   const StepAccount& account, int sweeps, const PolledRows& rows);
 
 /// HopCurve::rounding of a step; over a few steps in a row its values lie evenly in [0, 1).
 double hop_rounding(StepKey key);
@@ -102,4 +101,4 @@ inline constexpr int idle_rounds = 4;
 /// out, and it ends the step.
 bool goes_on(const SlabLaw& law, const StepAccount& account, std::int64_t cells, int sweeps);
 
-}  // namespace erg
+}  // namespace erg::models

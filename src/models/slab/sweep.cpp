@@ -1,6 +1,8 @@
 #include "models/slab/sweep.h"
 
-namespace erg {
+namespace erg::models {
+
+using compute::InstructionSet;
 
 namespace kernels_portable {
 extern const SweepKernels<std::uint8_t> narrow_kernels;
@@ -37,4 +39,4 @@ const SweepKernels<std::uint16_t>& sweep_kernels<std::uint16_t>(InstructionSet s
   return kernels_portable::wide_kernels;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -14,7 +14,7 @@
 #include "models/slab/plane_layout.h"
 #include "models/slab/sub_sweep.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Lines that one strip holds at most; its scratch rows have this stride.
 inline constexpr int strip_lines = 512;
@@ -144,6 +144,6 @@ struct SweepKernels {
 };
 
 template <typename Lane>
-const SweepKernels<Lane>& sweep_kernels(InstructionSet set);
+const SweepKernels<Lane>& sweep_kernels(compute::InstructionSet set);
 
-}  // namespace erg
+}  // namespace erg::models

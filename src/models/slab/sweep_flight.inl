@@ -15,7 +15,7 @@ class Flight {
   bool launch(Row<Lane>& row, std::int64_t flown) {
     if (plan_.hop_by_height) return launch_by_height(row, flown);
     const std::uint32_t rows_256 = plan_.hop_table[0];
-    const std::uint32_t near_rows = rows_256 >> fixed_point_bits;
+    const std::uint32_t near_rows = rows_256 >> kernels::fixed_point_bits;
     if (near_rows == 0) return launch_short(row, flown);
     const Lane far_below = static_cast<Lane>(rows_256 & 0xff);  // of 256: how often a hop is one row longer
     const Lane* __restrict leaving = row.leaving;

@@ -11,7 +11,11 @@
 #include "models/slab/slab_cell.h"
 #include "models/slab/sweep.h"
 
-namespace erg {
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+namespace erg::models {
 namespace ERG_KERNELS {
 namespace {
 
@@ -87,4 +91,4 @@ const SweepKernels<std::uint8_t> narrow_kernels = all_kernels<std::uint8_t>;
 const SweepKernels<std::uint16_t> wide_kernels = all_kernels<std::uint16_t>;
 
 }  // namespace ERG_KERNELS
-}  // namespace erg
+}  // namespace erg::models

@@ -21,13 +21,28 @@ struct Row {
 };
 
 /// One bit for each of 64 lanes: set where the lane holds more than `limit` (0 or 2). Lanes hold less than half of
-/// what they can, so an addition carries into a lane's top bit and no further.
+/// what they can. Compilers do not find the instructions by which vectors of bytes give such bits.
 template <int limit, typename Lane>
 std::uint64_t lanes_above(const Lane* lanes) {
+#if defined(__AVX512BW__)
+  if constexpr (sizeof(Lane) == 1) {
+    return _mm512_cmpgt_epi8_mask(_mm512_loadu_si512(lanes), _mm512_set1_epi8(limit));
+  }
+#elif defined(__AVX2__)
+  if constexpr (sizeof(Lane) == 1) {
+    const auto half = [&](int first) {
+      const __m256i bytes = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(lanes + first));
+      const __m256i above = _mm256_cmpgt_epi8(bytes, _mm256_set1_epi8(limit));
+      return static_cast<std::uint32_t>(_mm256_movemask_epi8(above));
+    };
+    return half(0) | static_cast<std::uint64_t>(half(32)) << 32;
+  }
+#endif
   constexpr int lanes_per_word = 8 / static_cast<int>(sizeof(Lane));
   constexpr int lane_bits = 8 * static_cast<int>(sizeof(Lane));
   constexpr bool bytes = sizeof(Lane) == 1;
   constexpr std::uint64_t ones = bytes ? 0x0101010101010101u : 0x0001000100010001u;
+  // An addition carries into a lane's top bit and no further.
   constexpr std::uint64_t carry = ones * ((std::uint64_t{1} << (lane_bits - 1)) - 1 - limit);
   // Multiplying gathers the top bits of a word's lanes in its uppermost bits, in order.
   constexpr std::uint64_t gather = bytes ? 0x0102040810204080u : 0x0001000200040008u;

@@ -22,7 +22,7 @@ class ShadowLine {
     Shadow* __restrict line = strip_.line;
     const Shadow fall = row_fall_;
     ERG_EACH(i, lanes) {
-      const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
+      const Shadow top = static_cast<Shadow>(height[i] << kernels::fixed_point_bits);
       dark[i] = top < line[i] ? all_ones : Lane{0};
       const Shadow higher = top > line[i] ? top : line[i];
       line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
@@ -48,10 +48,10 @@ class ShadowLine {
       const Lane below_next = static_cast<Lane>((next[i] > next_clear ? next[i] : next_clear) - next_clear);
       const Lane below_second = static_cast<Lane>((second[i] > second_clear ? second[i] : second_clear) - second_clear);
       const Lane shaded_below = below_next > below_second ? below_next : below_second;
-      const Shadow top = static_cast<Shadow>(height[i] << fixed_point_bits);
+      const Shadow top = static_cast<Shadow>(height[i] << kernels::fixed_point_bits);
       dark[i] =
           static_cast<Lane>((top < line[i] ? all_ones : Lane{0}) | (height[i] < shaded_below ? all_ones : Lane{0}));
-      const Shadow next_top = static_cast<Shadow>(next[i] << fixed_point_bits);
+      const Shadow next_top = static_cast<Shadow>(next[i] << kernels::fixed_point_bits);
       const Shadow next_line = static_cast<Shadow>((next_top > fall ? next_top : fall) - fall);
       const Shadow higher = next_line > line[i] ? next_line : line[i];
       line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
@@ -61,7 +61,7 @@ class ShadowLine {
 
   /// A fall of the shadow line (1/256 slabs) in whole slabs: heights are whole too.
   static Lane whole_slabs(std::uint32_t fall) {
-    const std::uint32_t slabs = fall >> fixed_point_bits;
+    const std::uint32_t slabs = fall >> kernels::fixed_point_bits;
     return slabs < all_ones ? static_cast<Lane>(slabs) : all_ones;
   }
 

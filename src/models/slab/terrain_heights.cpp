@@ -4,7 +4,7 @@
 
 #include "core/errors.h"
 
-namespace erg {
+namespace erg::models {
 
 TerrainHeights check_height(const Terrain& terrain) {
   const auto bedrock = terrain.bedrock().cells();
@@ -27,4 +27,4 @@ TerrainHeights check_height(const Terrain& terrain) {
   return heights;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -5,7 +5,7 @@
 
 #include "core/terrain.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The highest cell over the lowest bedrock that slabs are moved over, in slabs: 16 bits, with room for what a step may
 /// add.
@@ -21,4 +21,4 @@ struct TerrainHeights {
 /// Throws InputError if the highest cell stands more than `highest_terrain` over the lowest bedrock.
 TerrainHeights check_height(const Terrain& terrain);
 
-}  // namespace erg
+}  // namespace erg::models

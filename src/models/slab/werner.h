@@ -7,11 +7,11 @@
 // grain by grain saltation, time in seconds.
 #pragma once
 
-namespace erg {
+namespace erg::models {
 
 struct ModelType;
 
 /// The catalogue entry.
 ModelType werner();
 
-}  // namespace erg
+}  // namespace erg::models

@@ -1,6 +1,8 @@
 #include "models/snow/snow_planes.h"
 
-namespace erg {
+namespace erg::models {
+
+using compute::InstructionSet;
 
 namespace kernels_portable {
 extern const SnowKernels snow_kernels;
@@ -23,4 +25,4 @@ const SnowKernels& snow_kernels(InstructionSet set) {
   return kernels_portable::snow_kernels;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -7,14 +7,19 @@
 #include "kernels/box_mean.h"
 #include "models/snow/snow_kernels.h"
 
-namespace erg {
+namespace erg::models {
+
+using forcing::WindFrame;
+using kernels::FrameLayer;
+using kernels::step_counters;
+
 namespace {
 
 float* floats(const FrameLayer& layer) { return reinterpret_cast<float*>(layer.data()); }
 
 /// Makes room for `count` values at least: what depends on the wind shall not be allocated anew with every gust.
 template <typename T>
-void reserve(Backend& backend, Buffer<T>& array, std::size_t count) {
+void reserve(compute::Backend& backend, compute::Buffer<T>& array, std::size_t count) {
   if (array.size() < count) backend.fit(array, count);
 }
 
@@ -41,7 +46,7 @@ void SnowOnDevice::allocate(std::size_t cells) {
   backend_.fit(cells_, cells);
   backend_.fit(over_, cells);
   backend_.fit(left_, 1);
-  backend_.fit(counters_, std::size_t{counter_slots} * step_counters);
+  backend_.fit(counters_, std::size_t{compute::counter_slots} * step_counters);
 }
 
 void SnowOnDevice::load(const Terrain& terrain, const WindFrame& frame) {
@@ -93,9 +98,9 @@ void SnowOnDevice::sync_to_host(Terrain& terrain) {
 
 // --- steps ---
 
-StepReport SnowOnDevice::step(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key,
-                              Executor& executor) {
-  const WindFrame frame = wind_frame(terrain.extent(), wind.bearing);
+StepReport SnowOnDevice::step(Terrain& terrain, const SnowStep& snow, const forcing::Forcing& wind, StepKey key,
+                              compute::Executor& executor) {
+  const WindFrame frame = forcing::wind_frame(terrain.extent(), wind.bearing);
   Grid<std::int32_t>* const lift_counts = executor.lift_counts();
   if (!frame_.same_axes(frame)) turn(frame);
   frame_ = frame;
@@ -112,14 +117,14 @@ StepReport SnowOnDevice::step(Terrain& terrain, const SnowStep& snow, const Forc
   fly(plan);
   slide(plan, key);
   rest(plan, snow);
-  const StepCounters counts = backend_.read_counters<step_counters>(counters_);
+  const kernels::StepCounters counts = backend_.read_counters<step_counters>(counters_);
   if (lift_counts != nullptr) layers_.add_to(*lift_counts, lifted_, frame_);
   StepReport report;
   report.polls = cells();
-  report.lifts = counts.of[counted_lifts];
-  report.travel = static_cast<double>(counts.of[counted_rows]) / frame_.cosine;
-  report.slabs_in = counts.of[counted_in];
-  report.slabs_out = counts.of[counted_out];
+  report.lifts = counts.of[kernels::counted_lifts];
+  report.travel = static_cast<double>(counts.of[kernels::counted_rows]) / frame_.cosine;
+  report.slabs_in = counts.of[kernels::counted_in];
+  report.slabs_out = counts.of[kernels::counted_out];
   terrain.ledger().in += report.slabs_in;
   terrain.ledger().out += report.slabs_out;
   return report;
@@ -159,7 +164,7 @@ SnowPlan SnowOnDevice::step_plan(const Terrain& terrain, const SnowStep& snow, S
   plan.left = left_.data();
   plan.inflow = plan.ground.torus ? 0 : terrain.inflow();
   plan.rests = snow_rests(snow.law);
-  plan.order = terrain_order(frame_);
+  plan.order = kernels::terrain_order(frame_);
   plan.nx = terrain.nx();
   plan.fall_word = snowfall_word(key);
   plan.bonding_key = bonding_key(key);
@@ -188,7 +193,7 @@ void SnowOnDevice::measure(SnowPlan& plan, const SnowRadii& radii) {
 /// Means over boxes; `twice`: the means of these means.
 void SnowOnDevice::take_means(SnowPlan plan, int radius, bool twice, float* means) {
   plan.radius = radius;
-  plan.share = box_share(radius, twice);
+  plan.share = kernels::box_share(radius, twice);
   plan.means = means;
   launch(snow::Kernels::sum_heights, plan);
   if (twice) {
@@ -272,4 +277,4 @@ void SnowOnDevice::rest(SnowPlan& plan, const SnowStep& snow) {
   strength_shown_ = true;
 }
 
-}  // namespace erg
+}  // namespace erg::models

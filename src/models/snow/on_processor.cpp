@@ -5,10 +5,12 @@
 
 #include "models/snow/snow_one_by_one.h"
 
-namespace erg {
+namespace erg::models {
+
+using forcing::Forcing;
 
 StepReport SnowOnProcessor::step(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key,
-                                 Executor& executor) {
+                                 compute::Executor& executor) {
   executor_ = &executor;
   begin(terrain, snow, wind, key);
   measure_heights();
@@ -33,7 +35,7 @@ StepReport SnowOnProcessor::step(Terrain& terrain, const SnowStep& snow, const F
   return report_;
 }
 
-void SnowOnProcessor::load(const Terrain& terrain, const WindFrame&) {
+void SnowOnProcessor::load(const Terrain& terrain, const forcing::WindFrame&) {
   const Grid<float>& bonded = snow_layer(terrain.fields(), SnowLayer::bonded);
   loose_.resize(terrain.extent().cells());
   for (std::size_t cell = 0; cell < loose_.size(); ++cell) {
@@ -41,17 +43,28 @@ void SnowOnProcessor::load(const Terrain& terrain, const WindFrame&) {
   }
 }
 
-/// Says where everything lies.
+/// Makes everything ready for a step: where it lies, how it is turned, and memory.
 void SnowOnProcessor::begin(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key) {
-  constexpr int line_of_cells = static_cast<int>(cache_line / sizeof(FlightCell));
-  std::vector<Field>& fields = terrain.edit_fields();
-  const auto layer = [&fields](SnowLayer which) { return snow_layer(fields, which).cells().data(); };
-  frame_ = wind_frame(terrain.extent(), wind.bearing);
+  frame_ = forcing::wind_frame(terrain.extent(), wind.bearing);
   key_ = key;
   report_ = {};
+  planes_ = {};
+  planes_.law = &snow.law;
+  planes_.rests = snow_rests(snow.law);
+  planes_.bonding_key = bonding_key(key);
+  point_at_layers(terrain);
+  turn_into_wind(snow.law);
+  make_room(terrain.extent().cells());
+  ground_ = {frame_.width,  frame_.length,   planes_.torus,  frame_.origin, frame_.step_u,
+             frame_.step_v, planes_.bedrock, planes_.mobile, planes_.loose, planes_.landed};
+}
+
+/// Where the layers of the terrain lie.
+void SnowOnProcessor::point_at_layers(Terrain& terrain) {
+  constexpr int line_of_cells = static_cast<int>(compute::cache_line / sizeof(FlightCell));
+  std::vector<Field>& fields = terrain.edit_fields();
+  const auto layer = [&fields](SnowLayer which) { return snow_layer(fields, which).cells().data(); };
   SnowPlanes& planes = planes_;
-  planes = {};
-  planes.law = &snow.law;
   planes.nx = terrain.nx();
   planes.ny = terrain.ny();
   planes.pitch = ((planes.nx + line_of_cells - 1) / line_of_cells | 1) * line_of_cells;  // odd, or rows would compete
@@ -64,6 +77,13 @@ void SnowOnProcessor::begin(Terrain& terrain, const SnowStep& snow, const Forcin
   planes.landed = layer(SnowLayer::landed);
   planes.shown_loose = layer(SnowLayer::loose);
   planes.shown_bonded = layer(SnowLayer::bonded);
+  Grid<std::int32_t>* const lift_counts = executor_->lift_counts();
+  planes.lift_counts = lift_counts != nullptr ? lift_counts->cells().data() : nullptr;
+}
+
+/// How lines and rows of the wind's frame lie in these layers, and what a slope is along them.
+void SnowOnProcessor::turn_into_wind(const SnowLaw& law) {
+  SnowPlanes& planes = planes_;
   planes.width = frame_.width;
   planes.length = frame_.length;
   // In a grid of one column the steps alone do not tell.
@@ -74,16 +94,14 @@ void SnowOnProcessor::begin(Terrain& terrain, const SnowStep& snow, const Forcin
   planes.origin = origin / planes.nx * planes.pitch + origin % planes.nx;
   planes.step_u = sign_u * (planes.along_x ? planes.pitch : 1);
   planes.step_v = sign_v * (planes.along_x ? 1 : planes.pitch);
-  const SnowSlopes slopes = snow_slopes(snow.law, frame_.tangent, frame_.cosine);
+  planes.rows = static_cast<float>(frame_.cosine);
+
+  const SnowSlopes slopes = snow_slopes(law, frame_.tangent, frame_.cosine);
   const auto along = static_cast<float>(slopes.along * sign_v);
   const auto across = static_cast<float>(slopes.across * sign_u);
   planes.slope_by_x = planes.along_x ? along : across;
   planes.slope_by_y = planes.along_x ? across : along;
-  planes.rows = static_cast<float>(frame_.cosine);
-  planes.rests = snow_rests(snow.law);
-  Grid<std::int32_t>* const lift_counts = executor_->lift_counts();
-  planes.lift_counts = lift_counts != nullptr ? lift_counts->cells().data() : nullptr;
-  planes.bonding_key = bonding_key(key);
+
   const auto next_by_u = static_cast<std::uint32_t>(sign_u * frame_.length);
   const auto next_by_v = static_cast<std::uint32_t>(sign_v);
   planes.number =
@@ -91,20 +109,21 @@ void SnowOnProcessor::begin(Terrain& terrain, const SnowStep& snow, const Forcin
       (sign_v > 0 ? 0 : static_cast<std::uint32_t>(frame_.length - 1));
   planes.number_by_x = planes.along_x ? next_by_v : next_by_u;
   planes.number_by_y = planes.along_x ? next_by_u : next_by_v;
-  ground_ = {frame_.width,  frame_.length,  planes.torus,  frame_.origin, frame_.step_u,
-             frame_.step_v, planes.bedrock, planes.mobile, planes.loose,  planes.landed};
-  const auto cells = terrain.extent().cells();
-  const std::size_t places = planes.place(0, planes.ny);
+}
+
+/// The planes that a step needs besides the terrain's layers.
+void SnowOnProcessor::make_room(std::size_t cells) {
+  const std::size_t places = planes_.place(0, planes_.ny);
   const auto make = [](auto& vector, std::size_t count) {
     if (vector.size() < count) vector.resize(count);
     return vector.data();
   };
-  planes.height = make(height_, cells);
-  planes.dark = make(dark_, cells);
-  planes.cells = make(cells_, places);
-  planes.chances = make(chances_, places);
-  planes.powers = make(powers_, places);
-  planes.over = make(over_, places);
+  planes_.height = make(height_, cells);
+  planes_.dark = make(dark_, cells);
+  planes_.cells = make(cells_, places);
+  planes_.chances = make(chances_, places);
+  planes_.powers = make(powers_, places);
+  planes_.over = make(over_, places);
 }
 
 /// Calls work(y) for each row of the terrain, on all threads.
@@ -175,4 +194,4 @@ void SnowOnProcessor::let_snow_fall() {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -22,23 +22,26 @@
 #include "models/snow/snow_step.h"
 #include "models/snow/snow_step_random.h"
 
-namespace erg {
+namespace erg::models {
 
 class SnowOnProcessor : public SnowSolver {
  public:
-  explicit SnowOnProcessor(InstructionSet instructions = wanted_instruction_set())
+  explicit SnowOnProcessor(compute::InstructionSet instructions = compute::wanted_instruction_set())
       : kernels_(snow_kernels(instructions)) {}
 
   // It works on the terrain's own layers.
   bool holds_fields() const override { return true; }
-  void load(const Terrain& terrain, const WindFrame& frame) override;
+  void load(const Terrain& terrain, const forcing::WindFrame& frame) override;
   void sync_to_host(Terrain&) override {}
   /// On the threads of `executor`, in as many sub-sweeps as it has. The terrain is up to date afterwards.
-  StepReport step(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key,
-                  Executor& executor) override;
+  StepReport step(Terrain& terrain, const SnowStep& snow, const forcing::Forcing& wind, StepKey key,
+                  compute::Executor& executor) override;
 
  private:
-  void begin(Terrain& terrain, const SnowStep& snow, const Forcing& wind, StepKey key);
+  void begin(Terrain& terrain, const SnowStep& snow, const forcing::Forcing& wind, StepKey key);
+  void point_at_layers(Terrain& terrain);
+  void turn_into_wind(const SnowLaw& law);
+  void make_room(std::size_t cells);
   void for_rows(const std::function<void(int y)>& work);
 
   // Transport rates.
@@ -65,8 +68,8 @@ class SnowOnProcessor : public SnowSolver {
   const SnowKernels& kernels_;
 
   // Of the step under way.
-  Executor* executor_ = nullptr;
-  WindFrame frame_;
+  compute::Executor* executor_ = nullptr;
+  forcing::WindFrame frame_;
   SnowGround ground_;
   SnowPlanes planes_;
   StepKey key_;
@@ -75,23 +78,23 @@ class SnowOnProcessor : public SnowSolver {
 
   std::vector<std::int32_t> loose_;  ///< of the terrain's cells
 
-  std::int32_t relief_ = 0;              ///< slabs from the lowest surface to the highest
-  AlignedVector<std::uint16_t> height_;  ///< SnowPlanes, as what follows
-  AlignedVector<std::uint8_t> dark_;
-  AlignedVector<FlightCell> cells_;
-  AlignedVector<std::uint32_t> chances_;
-  AlignedVector<std::uint16_t> powers_;
-  AlignedVector<std::int16_t> over_;
+  std::int32_t relief_ = 0;                       ///< slabs from the lowest surface to the highest
+  compute::AlignedVector<std::uint16_t> height_;  ///< SnowPlanes, as what follows
+  compute::AlignedVector<std::uint8_t> dark_;
+  compute::AlignedVector<FlightCell> cells_;
+  compute::AlignedVector<std::uint32_t> chances_;
+  compute::AlignedVector<std::uint16_t> powers_;
+  compute::AlignedVector<std::int16_t> over_;
   std::uint32_t longest_mean_hop_ = 0;  ///< 1/64 rows
   StepRandom random_;
-  AlignedVector<std::int16_t> ahead_;
+  compute::AlignedVector<std::int16_t> ahead_;
   std::vector<int> least_moved_;
-  AlignedVector<std::int16_t> moved_;
-  AlignedVector<std::uint64_t> aloft_;
-  AlignedVector<std::uint64_t> handed_over_;
+  compute::AlignedVector<std::int16_t> moved_;
+  compute::AlignedVector<std::uint64_t> aloft_;
+  compute::AlignedVector<std::uint64_t> handed_over_;
   std::vector<SnowStrip> strips_;
   std::vector<std::uint16_t> lists_;
   std::vector<int> counts_;
 };
 
-}  // namespace erg
+}  // namespace erg::models

@@ -7,7 +7,7 @@
 #include "models/snow/snow_flight_cell.h"
 #include "models/snow/snow_ground.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Words that tell the processor what the weather of a step is like.
 enum SnowBound : int {
@@ -31,8 +31,8 @@ struct SnowPlan {
   std::int32_t base = 0;  ///< lowest bedrock
   float* age = nullptr;
   float* strength = nullptr;
-  const SnowLaw* law = nullptr;     ///< on the device: its tables are more than a launch can hand over
-  CounterWord* counters = nullptr;  ///< counter_slots * step_counters
+  const SnowLaw* law = nullptr;              ///< on the device: its tables are more than a launch can hand over
+  compute::CounterWord* counters = nullptr;  ///< counter_slots * step_counters
 
   // Weather.
   std::uint32_t* bounds = nullptr;   ///< SnowBound
@@ -70,7 +70,7 @@ struct SnowPlan {
   double inflow = 0;
   SnowRests rests;
   std::int32_t* lift_counts = nullptr;  ///< slabs lifted from each cell; null: not counted
-  TerrainOrder order;
+  kernels::TerrainOrder order;
   int nx = 0;  ///< of the terrain
 
   // Slides and rest.
@@ -88,4 +88,4 @@ namespace snow {
 using Plan = SnowPlan;
 }
 
-}  // namespace erg
+}  // namespace erg::models

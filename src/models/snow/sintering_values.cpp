@@ -2,7 +2,7 @@
 
 #include "forcing/channels.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 using SinteringEntries = Binding<SinteringValues>::Entries;
@@ -163,7 +163,7 @@ SinteringEntries loose_parameters() {
             .unit = "mm/h",
             .default_value = 0.0,
             .minimum = 0,
-            .maximum = heaviest_snowfall,
+            .maximum = forcing::heaviest_snowfall,
             .meaning = "Snow that falls all the time, as it lies; that of the wind's seasons comes on top. It comes to "
                        "rest on the lowest of nine cells.",
             .source = ours}}};
@@ -308,4 +308,4 @@ const Binding<SinteringValues>& sintering_binding() {
   return binding;
 }
 
-}  // namespace erg
+}  // namespace erg::models

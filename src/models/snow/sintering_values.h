@@ -4,7 +4,7 @@
 #include "core/binding.h"
 #include "models/snow/snow_step.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The values of the parameters of sintering snow, each under its key and in its unit: their declarations say what they
 /// mean.
@@ -46,4 +46,4 @@ struct SinteringValues {
 /// The declarations of all of them.
 const Binding<SinteringValues>& sintering_binding();
 
-}  // namespace erg
+}  // namespace erg::models

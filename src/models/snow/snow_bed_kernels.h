@@ -4,10 +4,10 @@
 #include "compute/kernel.h"
 #include "models/snow/plan.h"
 
-namespace erg::snow {
+namespace erg::models::snow {
 
 /// Edges of one class: they share no cell, so nobody waits for anybody.
-ERG_ON_DEVICE void slide(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void slide(const SnowPlan& plan, compute::Items items) {
   const SnowEdgeClass& edges = plan.edges;
   const std::int32_t places = edges.along ? plan.width() : plan.length();
   const std::int32_t end = edges.along ? plan.length() : plan.width();
@@ -23,22 +23,22 @@ ERG_ON_DEVICE void slide(const SnowPlan& plan, Items items) {
 }
 
 /// Snow falls at random. Where it comes to rest is looked for on the ground before any of it has come down.
-ERG_ON_DEVICE void fall(const SnowPlan& plan, Items items) {
-  StepCounters counted;
+ERG_ON_DEVICE void fall(const SnowPlan& plan, compute::Items items) {
+  kernels::StepCounters counted;
   EACH_ITEM(cell, plan.cell_count()) {
     const std::int32_t u = cell % plan.width();
     const std::int32_t v = cell / plan.width();
     const std::uint64_t word = snow_cell_word(plan.fall_word, plan.ground.number(u, v));
     const int slabs = falling_slabs(*plan.law, word);
     if (slabs == 0) continue;
-    atomic_add(plan.fallen + lowest_of_nine(plan.ground, u, v, word), slabs);
-    counted.of[counted_in] += slabs;
+    compute::atomic_add(plan.fallen + lowest_of_nine(plan.ground, u, v, word), slabs);
+    counted.of[kernels::counted_in] += slabs;
   }
   counted.add_to(plan.counters, items);
 }
 
 /// What has fallen lies; loose snow bonds from below; bonded snow grows older.
-ERG_ON_DEVICE void rest(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void rest(const SnowPlan& plan, compute::Items items) {
   const SnowLaw& law = *plan.law;
   const SnowGround& ground = plan.ground;
   EACH_ITEM(cell, plan.cell_count()) {
@@ -56,7 +56,7 @@ ERG_ON_DEVICE void rest(const SnowPlan& plan, Items items) {
 }
 
 /// Strength of the uppermost bonded snow.
-ERG_ON_DEVICE void show_strength(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void show_strength(const SnowPlan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.cell_count()) {
     const auto place = static_cast<std::int32_t>(plan.order.place(cell));
     const std::int32_t bonded = plan.ground.mobile[cell] - plan.ground.loose[cell];
@@ -64,4 +64,4 @@ ERG_ON_DEVICE void show_strength(const SnowPlan& plan, Items items) {
   }
 }
 
-}  // namespace erg::snow
+}  // namespace erg::models::snow

@@ -7,7 +7,7 @@
 #include "core/cell_rule.h"
 #include "core/random.h"
 
-namespace erg {
+namespace erg::models {
 
 /// A smooth function of a positive number, made once: eight places an octave, straight between them.
 struct OctaveTable {
@@ -49,9 +49,9 @@ struct SnowLaw {
   float rest_loose = 0.6f;
   float rest_hard = 0.02f;
   float rest_ground = 0.02f;
-  float suspension = 0;  ///< chance that a hop carries a slab away for good
-  int standing = 16;     ///< slabs: loose snow slides down a larger step
-  int wall = 16;         ///< slabs: bedrock standing higher than this over the ground before it stops slabs
+  float suspension = 0;    ///< chance that a hop carries a slab away for good
+  int critical_step = 16;  ///< slabs: loose snow slides down a larger step
+  int wall = 16;           ///< slabs: bedrock standing higher than this over the ground before it stops slabs
   // Bonded snow.
   float entrainment = 0;  ///< scale of the chance that the wind alone lifts bonded snow in a step
   float abrasion = 5;
@@ -319,4 +319,4 @@ ERG_CELL_RULE RestingSnow rested(const SnowLaw& law, const RestingSnow& snow, st
   return {snow.mobile, snow.loose - bonding, bonding > 0 ? mixed : age, snow.rest};
 }
 
-}  // namespace erg
+}  // namespace erg::models

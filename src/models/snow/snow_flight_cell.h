@@ -6,7 +6,7 @@
 
 #include "models/snow/snow_cell.h"
 
-namespace erg {
+namespace erg::models {
 
 /// A cell of a line on a graphics card, held together because a slab that lifts or comes down needs all of it. The
 /// processor's strips find out what lifts beforehand and keep less (StripCell).
@@ -149,4 +149,4 @@ ERG_CELL_RULE std::int32_t freed_slabs(const SnowLaw& law, std::uint64_t load, s
   return freed;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -6,7 +6,7 @@
 #include "compute/kernel.h"
 #include "models/snow/plan.h"
 
-namespace erg::snow {
+namespace erg::models::snow {
 
 /// The column in which a line meets a row from -1 to length + reach.
 ERG_ON_DEVICE std::int32_t column_of(const SnowPlan& plan, std::int32_t line, std::int32_t row) {
@@ -29,7 +29,7 @@ ERG_ON_DEVICE std::int32_t flown_surface(const SnowPlan& plan, std::int32_t cell
 }
 
 /// What comes to a cell before bedrock that stands too high over it stays there: hops end at it, and none leave it.
-ERG_ON_DEVICE void find_walls(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void find_walls(const SnowPlan& plan, compute::Items items) {
   const bool open = !plan.ground.torus;
   EACH_ITEM(cell, plan.cell_count()) {
     const std::int32_t line = line_of(plan, cell);
@@ -44,7 +44,7 @@ ERG_ON_DEVICE void find_walls(const SnowPlan& plan, Items items) {
 }
 
 /// Rows that slabs can fly from each cell before higher ground ends their hop. Beyond an open edge there is none.
-ERG_ON_DEVICE void find_runs(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void find_runs(const SnowPlan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.cell_count()) {
     const std::int32_t line = line_of(plan, cell);
     const std::int32_t row = cell / plan.width();
@@ -74,7 +74,7 @@ struct StrengthAt {
 /// A line on its way through the sub-sweeps.
 class SnowLine {
  public:
-  ERG_ON_DEVICE SnowLine(const SnowPlan& plan, std::int32_t number, StepCounters& counted)
+  ERG_ON_DEVICE SnowLine(const SnowPlan& plan, std::int32_t number, kernels::StepCounters& counted)
       : plan_(plan), number_(number), counted_(counted) {}
 
   /// Slabs in the air.
@@ -121,7 +121,7 @@ class SnowLine {
     SnowCell cell = plan_.cells[here];
     if (lifts) {
       cell.snow = without_slab(cell.snow);
-      ++counted_.of[counted_lifts];
+      ++counted_.of[kernels::counted_lifts];
       if (plan_.lift_counts != nullptr) ++plan_.lift_counts[here];
       launch(cell, row, static_cast<std::uint32_t>(snow_line_word(row_word, number_)));
     }
@@ -137,7 +137,7 @@ class SnowLine {
     const SnowHop hop = snow_hop(cell.hops, cell.run, random);
     load(row + hop.rows) += hop.load;
     ++aloft_;
-    counted_.of[counted_rows] += hop.rows;
+    counted_.of[kernels::counted_rows] += hop.rows;
   }
 
   /// Slabs come down in a cell: they strike it, stay or fly on. All decide on the snow as they find it.
@@ -156,7 +156,7 @@ class SnowLine {
         ++loose;
         cell.landed = 1;
       } else if (snow_carried_off(word, plan_.rests)) {
-        ++counted_.of[counted_out];
+        ++counted_.of[kernels::counted_out];
       } else {
         launch(cell, row, static_cast<std::uint32_t>(word >> 32));
       }
@@ -204,7 +204,7 @@ class SnowLine {
       waiting = 0;
     }
     aloft_ = 0;
-    raise(plan_.left, 1);
+    compute::raise(plan_.left, 1);
   }
 
   /// A line that enters an open grid at this row: what flew in it has left on the other side, and drift comes in.
@@ -224,10 +224,10 @@ class SnowLine {
       word = next_snow_word(word);
       const int rows = entering_rows(cell.hops, cell.run, word);
       load(row + rows) += one_slab + whole_hop;
-      counted_.of[counted_rows] += rows;
+      counted_.of[kernels::counted_rows] += rows;
     }
     aloft_ += slabs;
-    counted_.of[counted_in] += slabs;
+    counted_.of[kernels::counted_in] += slabs;
   }
 
   /// The slabs in the air at this row have left over an open side.
@@ -235,8 +235,8 @@ class SnowLine {
     for (std::int32_t rows = 0; aloft_ > 0 && rows <= plan_.ring_mask; ++rows) {
       std::uint64_t& waiting = load(row + rows);
       const std::int64_t slabs = slabs_of(waiting);
-      counted_.of[counted_out] += slabs;
-      counted_.of[counted_rows] -= slabs * (rows + 1);
+      counted_.of[kernels::counted_out] += slabs;
+      counted_.of[kernels::counted_rows] -= slabs * (rows + 1);
       aloft_ -= slabs;
       waiting = 0;
     }
@@ -244,14 +244,14 @@ class SnowLine {
 
   const SnowPlan& plan_;
   const std::int32_t number_;
-  StepCounters& counted_;
+  kernels::StepCounters& counted_;
   std::uint32_t first_ = 0;  // the ring's row of the grid's first row
   std::int64_t aloft_ = 0;
 };
 
 /// All sub-sweeps. Lines that close on themselves bring down all that is in the air.
-ERG_ON_DEVICE void fly(const SnowPlan& plan, Items items) {
-  StepCounters counted;
+ERG_ON_DEVICE void fly(const SnowPlan& plan, compute::Items items) {
+  kernels::StepCounters counted;
   EACH_ITEM(number, plan.width()) {
     SnowLine line(plan, number, counted);
     for (int sweep = 0; sweep < plan.polling || (plan.closes && line.aloft() > 0); ++sweep) {
@@ -262,8 +262,8 @@ ERG_ON_DEVICE void fly(const SnowPlan& plan, Items items) {
 }
 
 /// A pass without polls, in which lines bring down what others have handed over.
-ERG_ON_DEVICE void bring_down(const SnowPlan& plan, Items items) {
-  StepCounters counted;
+ERG_ON_DEVICE void bring_down(const SnowPlan& plan, compute::Items items) {
+  kernels::StepCounters counted;
   EACH_ITEM(number, plan.width()) {
     SnowLine line(plan, number, counted);
     line.find_aloft();
@@ -273,7 +273,7 @@ ERG_ON_DEVICE void bring_down(const SnowPlan& plan, Items items) {
 }
 
 /// Snow as the flights have left it.
-ERG_ON_DEVICE void store(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void store(const SnowPlan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.cell_count()) {
     const SnowCell flown = plan.cells[cell];
     plan.ground.mobile[cell] = mobile_of(flown.snow);
@@ -282,4 +282,4 @@ ERG_ON_DEVICE void store(const SnowPlan& plan, Items items) {
   }
 }
 
-}  // namespace erg::snow
+}  // namespace erg::models::snow

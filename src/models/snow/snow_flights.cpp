@@ -10,7 +10,7 @@
 
 #include "models/snow/on_processor.h"
 
-namespace erg {
+namespace erg::models {
 
 void SnowOnProcessor::fly_in_sweeps() {
   planes_.sweeps = executor_->sub_sweeps();
@@ -160,4 +160,4 @@ void SnowOnProcessor::bring_down() {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::models

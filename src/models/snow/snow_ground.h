@@ -9,7 +9,7 @@
 #include "kernels/fixed_point.h"
 #include "models/snow/snow_cell.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The layers that snow moves. Cell (u, v) of the wind's frame is cell origin + u * step_u + v * step_v of them.
 struct SnowGround {
@@ -69,7 +69,7 @@ ERG_CELL_RULE std::size_t lowest_of_nine(const SnowGround& ground, int u, int v,
 /// A loose slab slides over the edge between two cells if it is steeper than what stands; false if none does.
 ERG_CELL_ACT bool slide_snow(const SnowGround& ground, std::size_t a, std::size_t b, const SnowLaw& law) {
   const std::int32_t difference = ground.surface(a) - ground.surface(b);
-  if (difference <= law.standing && -difference <= law.standing) return false;
+  if (difference <= law.critical_step && -difference <= law.critical_step) return false;
   const std::size_t from = difference > 0 ? a : b;
   const std::size_t to = difference > 0 ? b : a;
   if (ground.loose[from] <= 0) return false;
@@ -105,8 +105,8 @@ struct SnowShadow {
 
 /// `fall`: of the shadow, slabs a cell; `relief`: slabs from the lowest surface to the highest.
 ERG_CELL_RULE SnowShadow snow_shadow(double fall, double tangent, double cosine, bool open, int length, int relief) {
-  return {fixed_point(fall / cosine), fixed_point(fall), static_cast<std::int64_t>(tangent * 0x1p24),
-          open ? 0 : -shadow_reach(relief, fall, cosine, 2 * length)};
+  return {kernels::fixed_point(fall / cosine), kernels::fixed_point(fall), static_cast<std::int64_t>(tangent * 0x1p24),
+          open ? 0 : -forcing::shadow_reach(relief, fall, cosine, 2 * length)};
 }
 
-}  // namespace erg
+}  // namespace erg::models

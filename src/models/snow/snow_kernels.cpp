@@ -1,10 +1,10 @@
 #include "models/snow/snow_kernels.h"
 
-namespace erg::snow {
+namespace erg::models::snow {
 
 #define ERG_KERNEL(family, name) \
-  constinit const KernelOf<Plan> Kernels::name = make_kernel<Plan, family::name>(#family "_" #name);
+  constinit const compute::KernelOf<Plan> Kernels::name = compute::make_kernel<Plan, family::name>(#family "_" #name);
 #include "models/snow/snow_kernels.def"
 #undef ERG_KERNEL
 
-}  // namespace erg::snow
+}  // namespace erg::models::snow

@@ -5,12 +5,12 @@
 #include "models/snow/snow_flight_kernels.h"
 #include "models/snow/snow_weather_kernels.h"
 
-namespace erg::snow {
+namespace erg::models::snow {
 
 struct Kernels {
-#define ERG_KERNEL(family, name) static const KernelOf<Plan> name;
+#define ERG_KERNEL(family, name) static const compute::KernelOf<Plan> name;
 #include "models/snow/snow_kernels.def"
 #undef ERG_KERNEL
 };
 
-}  // namespace erg::snow
+}  // namespace erg::models::snow

@@ -6,7 +6,7 @@
 #include "kernels/each_lane.h"
 #include "models/snow/snow_planes.h"
 
-namespace erg {
+namespace erg::models {
 namespace ERG_KERNELS {
 namespace {
 
@@ -185,7 +185,7 @@ void scatter(const SnowPlanes& planes, int y) {
 std::uint64_t steep(const SnowPlanes& planes, std::size_t a, std::size_t b, int count) {
   const std::int32_t* __restrict snow_a = planes.mobile + a;
   const std::int32_t* __restrict snow_b = planes.mobile + b;
-  const std::int32_t step = planes.law->standing;
+  const std::int32_t step = planes.law->critical_step;
   alignas(64) std::uint8_t steep[64] = {};
   if (planes.relief) {
     const std::int32_t* __restrict ground_a = planes.bedrock + a;
@@ -251,4 +251,4 @@ const SnowKernels snow_kernels{
     rates, runs, scatter, rest, strength, poll_all, fly, steep, {add_row, add_sums, add_up, average}};
 
 }  // namespace ERG_KERNELS
-}  // namespace erg
+}  // namespace erg::models

@@ -7,7 +7,10 @@
 
 #include "models/slab/slab_cell.h"
 
-namespace erg {
+namespace erg::models {
+
+using forcing::WindFrame;
+
 namespace {
 
 /// What the random words of these flights are for; each has a key space of its own.
@@ -165,4 +168,4 @@ StepReport fly_one_by_one(const SnowPlanes& planes, const SnowGround& ground, co
   return flights.report();
 }
 
-}  // namespace erg
+}  // namespace erg::models

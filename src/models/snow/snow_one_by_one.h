@@ -7,10 +7,11 @@
 #include "models/snow/snow_planes.h"
 #include "models/step_report.h"
 
-namespace erg {
+namespace erg::models {
 
 /// Moves the snow in the layers of the terrain by the rates that `planes` holds. `travel` of the report is in rows of
 /// the frame.
-StepReport fly_one_by_one(const SnowPlanes& planes, const SnowGround& ground, const WindFrame& frame, StepKey key);
+StepReport fly_one_by_one(const SnowPlanes& planes, const SnowGround& ground, const forcing::WindFrame& frame,
+                          StepKey key);
 
-}  // namespace erg
+}  // namespace erg::models

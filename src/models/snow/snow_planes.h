@@ -8,7 +8,7 @@
 #include "kernels/box_mean.h"
 #include "models/snow/snow_flight_cell.h"
 
-namespace erg {
+namespace erg::models {
 
 /// A cell as flights need it, in as few bytes as can be, for slabs come down all over the grid.
 struct alignas(8) FlightCell {
@@ -173,9 +173,9 @@ struct SnowKernels {
   /// The edges between `count` cells (64 at most) from `a` on and those from `b` on over which loose snow might slide,
   /// as bits.
   std::uint64_t (*steep)(const SnowPlanes& planes, std::size_t a, std::size_t b, int count);
-  BoxKernels boxes;
+  kernels::BoxKernels boxes;
 };
 
-const SnowKernels& snow_kernels(InstructionSet set);
+const SnowKernels& snow_kernels(compute::InstructionSet set);
 
-}  // namespace erg
+}  // namespace erg::models

@@ -6,7 +6,10 @@
 #include "kernels/box_mean.h"
 #include "models/snow/on_processor.h"
 
-namespace erg {
+namespace erg::models {
+
+using kernels::BoxMeans;
+
 namespace {
 
 constexpr int lines_at_once = 16;               // that are followed for shadow together
@@ -40,7 +43,7 @@ void SnowOnProcessor::shade_lines(const SnowShadow& shadow, int first, int lines
     std::size_t cell = frame_.cell(column, row < 0 ? wrap(row, frame_.length) : row);
     for (int line = 0; line < lines; ++line) {
       if (column == 0 && !planes_.torus) far[line] = near[line] = no_shadow;  // it enters over the side, or begins here
-      const std::int32_t height = std::int32_t{planes_.height[cell]} << fixed_point_bits;
+      const std::int32_t height = std::int32_t{planes_.height[cell]} << kernels::fixed_point_bits;
       if (row >= 0) planes_.dark[cell] = height < std::max(far[line], near[line]) ? 1 : 0;
       far[line] = std::max(height, far[line]) - fall_far;
       near[line] = height - fall_near;
@@ -64,7 +67,7 @@ void SnowOnProcessor::find_rates(SnowRadii radii) {
 std::uint32_t SnowOnProcessor::find_rates_of(int begin, int end, SnowRadii radii) {
   const bool torus = planes_.torus;
   const auto width = static_cast<std::size_t>(planes_.nx);
-  const BoxGrid grid{
+  const kernels::BoxGrid grid{
       {planes_.nx, planes_.ny}, torus ? Boundary::torus : Boundary::open, planes_.height, &kernels_.boxes};
   const int first = torus ? begin - 1 : std::max(begin - 1, 0);
   const int last = torus ? end : std::min(end, planes_.ny - 1);
@@ -91,4 +94,4 @@ std::uint32_t SnowOnProcessor::find_rates_of(int begin, int end, SnowRadii radii
   return longest;
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -15,7 +15,11 @@
 #include "models/snow/snow_step.h"
 #include "models/snow/snow_step_random.h"
 
-namespace erg {
+namespace erg::models {
+
+using compute::Executor;
+using forcing::Forcing;
+
 namespace {
 
 constexpr double wind_height = 10;  // m
@@ -70,11 +74,11 @@ class SnowSintering : public Model {
 
   double quantum() const override { return values_.slab_height; }
   double shadow_fall(double cell_size) const override {
-    return erg::shadow_fall(values_.shadow_angle, cell_size, quantum());
+    return erg::forcing::shadow_fall(values_.shadow_angle, cell_size, quantum());
   }
-  void prepare(const Beginning& beginning) override {
-    seed_ = beginning.seed;
-    first_temperature_ = beginning.weather.temperature;
+  void prepare(const InitContext& context) override {
+    seed_ = context.seed;
+    first_temperature_ = context.weather.temperature;
   }
   void begin(Terrain& terrain) override;
   StepReport step(Terrain& terrain, const Forcing& wind, StepKey key, Executor& executor) override;
@@ -128,8 +132,8 @@ void SnowSintering::prepare_law(const Terrain& terrain) {
   law_.rest_ground = static_cast<float>(values_.rest_ground);
   const double saltation = 0.68 * values_.air_density / earth_gravity / loose_density;
   law_.lift_scale = static_cast<float>(saltation * values_.time_step * values_.rest_loose / (quantum() * cell_size));
-  law_.standing = standing_step(values_.repose_angle, cell_size, quantum());
-  law_.wall = values_.obstacles ? law_.standing : std::numeric_limits<int>::max();
+  law_.critical_step = critical_step(values_.repose_angle, cell_size, quantum());
+  law_.wall = values_.obstacles ? law_.critical_step : std::numeric_limits<int>::max();
   law_.abrasion = static_cast<float>(values_.abrasion);
   law_.entrainment = static_cast<float>(values_.entrainment * values_.time_step / seconds_per_hour);
   law_.sine = static_cast<float>(std::sin(radians(values_.impact_angle)));
@@ -173,6 +177,16 @@ StepReport SnowSintering::step(Terrain& terrain, const Forcing& wind, StepKey ke
   return drift_snow(executor, terrain, {law_, radii, shadow_fall(cell_size), shows_strength}, wind, key);
 }
 
+std::vector<BenchScene> bench_scenes() {
+  const std::vector<std::string> waves{"grid.cell_size=0.1", "scene.sand=40", "wind.strength=12"};
+  return {{.name = "waves", .steps = 120, .settings = waves},
+          {.name = "oblique wind", .steps = 120, .oblique = true, .settings = waves},
+          {.name = "sastrugi",
+           .steps = 160,
+           .settings = {"grid.cell_size=0.05", "scene.sand=120", "parameters.slab_height=0.0025",
+                        "parameters.time_step=30", "parameters.start_age=60", "wind.strength=22"}}};
+}
+
 }  // namespace
 
 ModelType snow_sintering() {
@@ -182,13 +196,14 @@ ModelType snow_sintering() {
                .citation =
                    "our own, on Filhol & Sturm (2015), JGR Earth Surface 120, 1645-1669, and Li & Pomeroy (1997), "
                    "JGR Atmospheres 102, 21955-21967",
-               .makes = "snow waves, snow barchans, sastrugi, flat crust",
-               .leaves_out = "melting, air flow, ripples of single grains, clouds of suspended snow",
+               .produces = "snow waves, snow barchans, sastrugi, flat crust",
+               .limitations = "melting, air flow, ripples of single grains, clouds of suspended snow",
                .step = "time_step seconds",
                .strength_label = "wind at 10 m, m/s",
                .material = Material::snow,
                .start = {.cell_size = 0.1, .strength = 11, .sand = 6},
-               .channels = {"temperature", "snowfall"}},
+               .channels = {"temperature", "snowfall"},
+               .bench_scenes = bench_scenes()},
       .parameters = sintering_binding(),
       .fields = snow_sintering_fields(),
       .working_bytes = 29,  // planes and polls of SnowOnProcessor
@@ -200,4 +215,4 @@ ModelType snow_sintering() {
           }};
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -8,11 +8,11 @@
 // Does not model: melting, the air flow (speed-up is a function of smoothed heights), grains, suspension clouds.
 #pragma once
 
-namespace erg {
+namespace erg::models {
 
 struct ModelType;
 
 /// The catalogue entry.
 ModelType snow_sintering();
 
-}  // namespace erg
+}  // namespace erg::models

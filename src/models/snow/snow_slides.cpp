@@ -3,7 +3,7 @@
 
 #include "models/snow/on_processor.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 constexpr int cells_at_once = 64;  // that are looked over for steep edges together
@@ -64,4 +64,4 @@ void SnowOnProcessor::slide_to_next(int y) {
   }
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -5,7 +5,11 @@
 #include "models/snow/on_device.h"
 #include "models/snow/on_processor.h"
 
-namespace erg {
+namespace erg::models {
+
+using compute::Executor;
+using forcing::Forcing;
+
 namespace {
 
 /// A step of snow, as executors carry it out.
@@ -18,12 +22,12 @@ struct SnowDriftStep {
   StepKey key;
 
   std::unique_ptr<SnowSolver> make_solver(Executor& executor) const {
-    if (Backend* const device = executor.device())
+    if (compute::Backend* const device = executor.device())
       return std::make_unique<SnowOnDevice>(*device, executor.sub_sweeps());
     return std::make_unique<SnowOnProcessor>(executor.options().instructions);
   }
   void load(SnowSolver& solver, const Terrain& terrain) const {
-    solver.load(terrain, wind_frame(terrain.extent(), wind.bearing));
+    solver.load(terrain, forcing::wind_frame(terrain.extent(), wind.bearing));
   }
   StepReport run(SnowSolver& solver, Terrain& terrain, Executor& executor) const {
     return solver.step(terrain, snow, wind, key, executor);
@@ -37,4 +41,4 @@ StepReport drift_snow(Executor& executor, Terrain& terrain, const SnowStep& snow
   return executor.carry_out(terrain, SnowDriftStep{snow, wind, key});
 }
 
-}  // namespace erg
+}  // namespace erg::models

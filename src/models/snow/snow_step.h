@@ -10,7 +10,7 @@
 #include "core/terrain.h"
 #include "models/snow/snow_cell.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The fields of a snow terrain, in this order.
 enum class SnowLayer : std::size_t {
@@ -47,4 +47,4 @@ struct SnowStep {
   bool shows_strength = false;  ///< writes SnowLayer::strength
 };
 
-}  // namespace erg
+}  // namespace erg::models

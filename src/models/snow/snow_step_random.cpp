@@ -12,7 +12,7 @@
 #include "models/slab/sub_sweep.h"
 #include "models/slab/terrain_heights.h"
 
-namespace erg {
+namespace erg::models {
 namespace {
 
 /// What the random words are for; each has a key space of its own.
@@ -36,7 +36,7 @@ void StepRandom::draw_sweeps(StepKey key, int polling) {
   }
 }
 
-void StepRandom::draw_lines(const WindFrame& frame, StepKey key, std::uint32_t longest_mean_hop) {
+void StepRandom::draw_lines(const forcing::WindFrame& frame, StepKey key, std::uint32_t longest_mean_hop) {
   reach = longest_snow_hop(longest_mean_hop);
   ring_rows = static_cast<int>(std::bit_ceil(static_cast<unsigned>(reach + 1)));
   drift = 0;
@@ -70,4 +70,4 @@ void check_snow_height(std::int32_t most_snow, std::int32_t relief) {
                    "use a larger slab height or less snow");
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -10,7 +10,7 @@
 #include "forcing/wind_frame.h"
 #include "models/snow/snow_flight_cell.h"
 
-namespace erg {
+namespace erg::models {
 
 /// The sub-sweeps of a step's flights, and the lines that they follow.
 struct StepRandom {
@@ -23,9 +23,9 @@ struct StepRandom {
   /// Draws K sub-sweeps, and as many passes without polls as the longest flight takes.
   void draw_sweeps(StepKey key, int polling);
   /// Draws where lines run, for a longest mean hop in 1/64 rows. Their drift is whole, and right in the mean.
-  void draw_lines(const WindFrame& frame, StepKey key, std::uint32_t longest_mean_hop);
+  void draw_lines(const forcing::WindFrame& frame, StepKey key, std::uint32_t longest_mean_hop);
   /// Whether each line goes on as itself behind the torus edge, or not at all.
-  bool lines_close(const WindFrame& frame, Boundary boundary) const {
+  bool lines_close(const forcing::WindFrame& frame, Boundary boundary) const {
     return boundary == Boundary::open || drift % frame.width == 0;
   }
   /// The last pass is repeated for hops that are longer than the grid.
@@ -49,4 +49,4 @@ std::uint32_t bonding_key(StepKey key);
 /// Throws InputError if snow or relief has grown too high to be counted.
 void check_snow_height(std::int32_t most_snow, std::int32_t relief);
 
-}  // namespace erg
+}  // namespace erg::models

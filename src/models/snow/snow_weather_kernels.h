@@ -6,10 +6,10 @@
 #include "core/grid.h"
 #include "models/snow/plan.h"
 
-namespace erg::snow {
+namespace erg::models::snow {
 
 /// Heights of all surfaces, how high and low they reach, and how much snow lies anywhere.
-ERG_ON_DEVICE void measure(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void measure(const SnowPlan& plan, compute::Items items) {
   std::uint32_t highest = 0;
   std::uint32_t not_lowest = 0;
   std::uint32_t snow = 0;
@@ -22,9 +22,9 @@ ERG_ON_DEVICE void measure(const SnowPlan& plan, Items items) {
     if (~height > not_lowest) not_lowest = ~height;
     if (mobile > snow) snow = mobile;
   }
-  raise(plan.bounds + bound_highest, highest);
-  raise(plan.bounds + bound_not_lowest, not_lowest);
-  raise(plan.bounds + bound_snow, snow);
+  compute::raise(plan.bounds + bound_highest, highest);
+  compute::raise(plan.bounds + bound_not_lowest, not_lowest);
+  compute::raise(plan.bounds + bound_snow, snow);
 }
 
 ERG_ON_DEVICE std::uint32_t lowest_surface(const SnowPlan& plan) { return ~plan.bounds[bound_not_lowest]; }
@@ -60,7 +60,7 @@ ERG_ON_DEVICE std::uint64_t sum_of_columns(const SnowPlan& plan, std::int32_t ce
 }
 
 /// Columns of boxes: heights over the lowest surface.
-ERG_ON_DEVICE void sum_heights(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void sum_heights(const SnowPlan& plan, compute::Items items) {
   const std::uint64_t lowest = lowest_surface(plan);
   const auto cells = static_cast<std::uint64_t>(2 * plan.radius + 1);
   EACH_ITEM(cell, plan.cell_count()) {
@@ -70,17 +70,17 @@ ERG_ON_DEVICE void sum_heights(const SnowPlan& plan, Items items) {
 }
 
 /// The same of sums over boxes.
-ERG_ON_DEVICE void sum_columns(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void sum_columns(const SnowPlan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.cell_count()) {
     plan.columns[cell] = sum_of_column(plan, plan.sums, cell % plan.width(), cell / plan.width());
   }
 }
 
-ERG_ON_DEVICE void sum_rows(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void sum_rows(const SnowPlan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.cell_count()) { plan.sums[cell] = sum_of_columns(plan, cell); }
 }
 
-ERG_ON_DEVICE void average_rows(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void average_rows(const SnowPlan& plan, compute::Items items) {
   EACH_ITEM(cell, plan.cell_count()) {
     plan.means[cell] = static_cast<float>(static_cast<std::int64_t>(sum_of_columns(plan, cell))) * plan.share;
   }
@@ -103,7 +103,7 @@ ERG_ON_DEVICE std::int32_t shadow_column(const SnowPlan& plan, const SnowShadow&
 /// Height over the lowest surface, in fixed point.
 ERG_ON_DEVICE std::int64_t shadow_height(const SnowPlan& plan, std::int32_t column, std::int32_t row) {
   const std::uint32_t height = plan.heights[wrap(row, plan.length()) * plan.width() + column];
-  return static_cast<std::int64_t>(height - lowest_surface(plan)) << fixed_point_bits;
+  return static_cast<std::int64_t>(height - lowest_surface(plan)) << kernels::fixed_point_bits;
 }
 
 /// The shadow line that comes to row `first` of a line from all that stands upwind, 0 where it lies below all ground.
@@ -111,7 +111,7 @@ ERG_ON_DEVICE std::int64_t shadow_height(const SnowPlan& plan, std::int32_t colu
 ERG_ON_DEVICE std::int64_t snow_shadow_from_upwind(const SnowPlan& plan, const SnowShadow& shadow, std::int32_t line,
                                                    std::int32_t first) {
   const std::int64_t summit = static_cast<std::int64_t>(plan.bounds[bound_highest] - lowest_surface(plan))
-                              << fixed_point_bits;
+                              << kernels::fixed_point_bits;
   std::int64_t far = 0;
   std::int64_t fallen = shadow.fall_far;
   for (std::int32_t row = first - 1; row >= shadow.start && summit - fallen > far; --row) {
@@ -125,7 +125,7 @@ ERG_ON_DEVICE std::int64_t snow_shadow_from_upwind(const SnowPlan& plan, const S
 }
 
 /// Marks the cells in shadow. One thread follows a line for some rows.
-ERG_ON_DEVICE void cast_shadow(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void cast_shadow(const SnowPlan& plan, compute::Items items) {
   const SnowShadow shadow = shadow_of(plan);
   const std::int32_t pieces = (plan.length() + plan.shadow_rows - 1) / plan.shadow_rows;
   EACH_ITEM(item, pieces * plan.width()) {
@@ -151,7 +151,7 @@ ERG_ON_DEVICE void cast_shadow(const SnowPlan& plan, Items items) {
 // --- chances ---
 
 /// The weather of a cell, and the cell as flights find it.
-ERG_ON_DEVICE void make_weather(const SnowPlan& plan, Items items) {
+ERG_ON_DEVICE void make_weather(const SnowPlan& plan, compute::Items items) {
   const SnowLaw& law = *plan.law;
   const bool torus = plan.ground.torus;
   std::uint32_t longest = 0;
@@ -178,7 +178,7 @@ ERG_ON_DEVICE void make_weather(const SnowPlan& plan, Items items) {
     plan.over[cell] = static_cast<std::int16_t>(weather.over);
     if (mean_hop_64(weather.hops) > longest) longest = mean_hop_64(weather.hops);
   }
-  raise(plan.bounds + bound_hop, longest);
+  compute::raise(plan.bounds + bound_hop, longest);
 }
 
-}  // namespace erg::snow
+}  // namespace erg::models::snow

@@ -3,6 +3,6 @@
 
 namespace erg::sim {
 
-const void* cuda_entry(const Kernel&) { return nullptr; }
+const void* cuda_entry(const compute::Kernel&) { return nullptr; }
 
 }  // namespace erg::sim

@@ -58,7 +58,7 @@ bool sun_dial(Look& look, float side) {
     const double north = middle.y - ImGui::GetIO().MousePos.y;
     const double away = std::min(std::hypot(east, north) / (0.9 * radius), 1.0);
     // Where something blows toward (x, y) it comes from the other side, and the sun stands there.
-    if (away > 0.02) look.sun_bearing = bearing_of({-east, -north});
+    if (away > 0.02) look.sun_bearing = forcing::bearing_of({-east, -north});
     look.sun_altitude = std::max(lowest_sun, 90 * (1 - away));
   }
   tooltip("Where the sun stands, seen from above: drag it. Near the rim it is low and shadows are long.");

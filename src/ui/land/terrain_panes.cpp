@@ -40,7 +40,7 @@ TerrainView view_of_run(const RunSnapshot& run) {
   if (run.shadow) view.fields.push_back(run.shadow.get());
   if (run.flux) view.fields.push_back(run.flux.get());
   view.wind = run.last_wind.mean_bearing();
-  view.material = find_model(run.config->model).info.material;
+  view.material = models::find_model(run.config->model).info.material;
   // Shadow and flux come and go without the terrain.
   view.version = 4 * run.terrain_version + (run.shadow ? 1 : 0) + (run.flux ? 2 : 0);
   return view;

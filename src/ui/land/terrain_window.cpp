@@ -58,7 +58,7 @@ void centred(const std::string& text, const ImVec4& colour) {
 
 /// Number and model of a run that is compared, and the first thing in which it differs from the others.
 std::string caption(const sim::Config& config, const std::vector<SetupDifference>& differences, std::size_t run) {
-  std::string text = std::to_string(run + 1) + "  " + find_model(config.model).info.title;
+  std::string text = std::to_string(run + 1) + "  " + models::find_model(config.model).info.title;
   const auto first = std::ranges::find_if(differences, [](const SetupDifference& one) { return one.name != "model"; });
   if (first != differences.end() && run < first->values.size()) text += "\n" + first->label + " " + first->values[run];
   return text;

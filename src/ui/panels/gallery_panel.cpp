@@ -41,7 +41,7 @@ Card card_of(const Preset& preset, const std::filesystem::path& folder) {
     const sim::Config config = io::read_config(preset.path);
     if (!config.title.empty()) card.title = config.title;
     card.description = config.description;
-    card.model = find_model(config.model).info.title;
+    card.model = models::find_model(config.model).info.title;
   } catch (const InputError& error) {
     card.description = error.what();
   }

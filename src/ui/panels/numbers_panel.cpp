@@ -161,7 +161,7 @@ void NumbersPanel::draw(PanelContext& context) {
     return;
   }
   if (section("Over time")) draw_over_time(now);
-  if (section("How they are spread")) draw_spread(*context.app.active_run());
+  if (section("Histogram")) draw_spread(*context.app.active_run());
   save(context.app);
 }
 

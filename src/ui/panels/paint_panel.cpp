@@ -12,6 +12,7 @@
 
 namespace erg::ui {
 
+using models::find_model;
 using session::AppModel;
 using session::BrushMaterial;
 using session::RunSnapshot;

@@ -9,6 +9,7 @@
 
 namespace erg::ui {
 
+using models::ModelType;
 using session::AppModel;
 using session::Settings;
 using session::Setup;
@@ -44,7 +45,7 @@ class SetupPanel final : public Panel {
  private:
   static void draw_run_choice(AppModel& app);
   void draw_buttons(PanelContext& context, const Config* running);
-  void draw_cost(const Config& config);
+  static void draw_cost(std::optional<double> seconds);
   static void draw_model(Setup& setup);
   void draw_groups(Setup& setup, const Config* running, const Settings& settings);
   void draw_rows(Setup& setup, const std::string& group, const Config* running, const Settings& settings);
@@ -87,16 +88,18 @@ void SetupPanel::draw_buttons(PanelContext& context, const Config* running) {
     app.setup().reset_all();
   }
   for (const Mistake& mistake : mistakes) say(mistake.text(), Gui::current().theme().lost);
-  if (needed && mistakes.empty()) draw_cost(app.setup().config());
+  draw_cost(needed && mistakes.empty() ? cost_.of(app.setup().config()) : std::nullopt);
 }
 
-/// What will crawl says so before it is made.
-void SetupPanel::draw_cost(const Config& config) {
+/// What will crawl says so before it is made. The line's place is kept where there is nothing to say: it becomes known
+/// a moment after a change, and rows must not move away under the pointer.
+void SetupPanel::draw_cost(std::optional<double> seconds) {
   constexpr double slow = 0.3;  // s a step
-  const std::optional<double> seconds = cost_.of(config);
-  if (!seconds || *seconds < slow) return;
-  say("A step will take about " + figure_text(*seconds, 2) + " s on this machine; fewer cells make it faster.",
-      Gui::current().theme().accent);
+  if (!seconds || *seconds < slow) {
+    ImGui::Dummy({0, ImGui::GetTextLineHeight()});
+    return;
+  }
+  say("A step: about " + figure_text(*seconds, 2) + " s; fewer cells are faster.", Gui::current().theme().accent);
   mark("cost");
 }
 
@@ -120,13 +123,13 @@ void SetupPanel::draw_model(Setup& setup) {
     for (const ModelType* model : models) {
       if (ImGui::Selectable(model->info.title.c_str(), model == &setup.model())) setup.choose_model(model->info.key);
       mark("model=" + model->info.title);
-      tooltip("Makes " + model->info.makes + ".");
+      tooltip("Makes " + model->info.produces + ".");
     }
     ImGui::EndCombo();
   }
-  const ModelInfo& info = setup.model().info;
-  explain("Makes " + info.makes + ".");
-  explain("Leaves out: " + info.leaves_out + ".");
+  const models::ModelInfo& info = setup.model().info;
+  explain("Makes " + info.produces + ".");
+  explain("Leaves out: " + info.limitations + ".");
 }
 
 void SetupPanel::draw_seed(Setup& setup) {

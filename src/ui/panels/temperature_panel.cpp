@@ -9,6 +9,9 @@
 
 namespace erg::ui {
 
+using forcing::Channel;
+using forcing::channels;
+using forcing::Course;
 using session::Setup;
 
 namespace {

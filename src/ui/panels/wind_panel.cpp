@@ -14,6 +14,12 @@
 #include "ui/widgets/wind_dial.h"
 
 namespace erg::ui {
+
+using forcing::compass_name;
+using forcing::largest_strength;
+using forcing::smallest_strength;
+using forcing::WindInterval;
+
 namespace {
 
 constexpr std::size_t cycle_samples = 400;  // at most
@@ -264,7 +270,7 @@ void WindPanel::draw(PanelContext& context) {
   draw_bearing(wind);
   draw_strengths(wind, strength_label);
   draw_swing(wind);
-  for (const Channel& channel : channels()) {
+  for (const forcing::Channel& channel : forcing::channels()) {
     if (channel.of_interval != nullptr && app.comparison().uses(channel)) draw_column(wind, channel.declared.key);
   }
   if (shows_seasons(wind)) {

@@ -19,6 +19,9 @@
 #include "ui/widgets/widgets.h"
 
 namespace erg::ui {
+
+using forcing::compass_name;
+
 namespace {
 
 constexpr int compass_points = 16;
@@ -85,7 +88,7 @@ std::vector<ImVec2> wedge(ImVec2 middle, double bearing, double width, float rad
 /// fan as a whole would not be convex.
 void draw_fan(ImVec2 middle, double bearing, double spread, float radius) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto swings = wind_swings(spread);
+  const auto swings = forcing::wind_swings(spread);
   for (std::size_t k = 1; k < swings.size(); ++k) {
     const double mean = bearing + (swings[k - 1] + swings[k]) / 2;
     const std::vector<ImVec2> points = wedge(middle, mean, swings[k] - swings[k - 1], radius);
@@ -161,7 +164,7 @@ bool type_bearing(const char* id, double& bearing) {
   tooltip("Where the wind blows from: degrees clockwise from north, or a point of the compass such as W or NNE.");
   if (edited) {
     try {
-      bearing = parse_bearing(as_pasted_number(text), "bearing");
+      bearing = forcing::parse_bearing(as_pasted_number(text), "bearing");
     } catch (const InputError& error) {
       ImGui::SetTooltip("%s", error.mistakes().front().remedy.c_str());
     }

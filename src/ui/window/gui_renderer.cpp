@@ -97,9 +97,13 @@ void GuiRenderer::upload_fonts(int version) {
   unsigned char* pixels = nullptr;
   int width = 0;
   int height = 0;
-  ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
   font_ = make_texture(width, height, pixels);
-  ImGui::GetIO().Fonts->ClearTexData();  // the texture has it
+  // The texture has it. What it was made from, a quarter as large, stays for another renderer: the atlas would be
+  // packed anew without the fonts, and the letters lie elsewhere in it.
+  ImGui::MemFree(atlas.TexPixelsRGBA32);
+  atlas.TexPixelsRGBA32 = nullptr;
   font_version_ = version;
 }
 

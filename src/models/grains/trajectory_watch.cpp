@@ -1,26 +1,26 @@
-#include "models/grains/grain_paths.h"
+#include "models/grains/trajectory_watch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace erg {
+namespace erg::models {
 
-PathWatch::PathWatch(const Terrain& terrain, const WindFrame& frame, double lowest)
+TrajectoryWatch::TrajectoryWatch(const Terrain& terrain, const forcing::WindFrame& frame, double lowest)
     : frame_(frame),
       nx_(terrain.nx()),
       cell_size_(static_cast<float>(terrain.cell_size())),
       lowest_(static_cast<float>(lowest)) {}
 
-void PathWatch::start() {
-  if (paths_.empty() || !paths_.back().empty()) paths_.emplace_back();
+void TrajectoryWatch::start() {
+  if (trajectories_.empty() || !trajectories_.back().empty()) trajectories_.emplace_back();
 }
 
-void PathWatch::at(const Grain& grain) {
+void TrajectoryWatch::at(const Grain& grain) {
   // A grain moves far less than half the grid in a time step, unless it was folded over an edge.
   const bool folded = std::abs(grain.u - last_u_) > 0.5f * static_cast<float>(frame_.width) ||
                       std::abs(grain.v - last_v_) > 0.5f * static_cast<float>(frame_.length);
-  if (!paths_.back().empty() && folded) paths_.emplace_back();
+  if (!trajectories_.back().empty() && folded) trajectories_.emplace_back();
   last_u_ = grain.u;
   last_v_ = grain.v;
   // The frame's axes lie along the terrain's, perhaps swapped or turned round.
@@ -33,12 +33,12 @@ void PathWatch::at(const Grain& grain) {
   float y = static_cast<float>(row) + 0.5f;
   axis(frame_.step_u, grain.u, x, y);
   axis(frame_.step_v, grain.v, x, y);
-  paths_.back().push_back({x * cell_size_, y * cell_size_, lowest_ + grain.z});
+  trajectories_.back().push_back({x * cell_size_, y * cell_size_, lowest_ + grain.z});
 }
 
-std::vector<GrainPath> PathWatch::take_paths() {
-  std::erase_if(paths_, [](const GrainPath& path) { return path.size() < 2; });
-  return std::move(paths_);
+std::vector<Trajectory> TrajectoryWatch::take_trajectories() {
+  std::erase_if(trajectories_, [](const Trajectory& path) { return path.size() < 2; });
+  return std::move(trajectories_);
 }
 
-}  // namespace erg
+}  // namespace erg::models

@@ -7,6 +7,6 @@
 namespace erg {
 
 /// Points (m east, m north, m up) to be joined by lines.
-using GrainPath = std::vector<std::array<float, 3>>;
+using Trajectory = std::vector<std::array<float, 3>>;
 
 }  // namespace erg
