@@ -135,5 +135,15 @@ TEST(Commands, BenchWritesARowForEachExecutor) {
   EXPECT_EQ(serial_rows, 4) << "straight wind, oblique wind, cover, obstacles";
 }
 
+TEST(Commands, BenchSplitsAFrameIntoItsParts) {
+  const ScratchFolder folder;
+  const Ended bench = run_erg(folder, {"bench", "--frames", "--grid", "64"});
+  ASSERT_EQ(bench.exit_code, 0) << bench.errors;
+  for (const std::string part : {"settling", "copying", "ranges", "reading", "comparing", "uploading", "whole"}) {
+    EXPECT_NE(bench.output.find(part), std::string::npos) << bench.output;
+  }
+  EXPECT_NE(bench.output.find("\n64  "), std::string::npos) << bench.output;
+}
+
 }  // namespace
 }  // namespace erg::test
