@@ -84,11 +84,11 @@ TEST(SubsetRules, FindLinesOfTheLargestGridIn32Bits) {
 }
 
 TEST(SubsetRules, SkewBlocksOfTheLargestGridIn32Bits) {
-  for (const std::int64_t lean : {0LL, 1LL, 1LL << 12, 12345678LL, (1LL << 24) - 1, 1LL << 24}) {
+  for (const std::int64_t skew : {0LL, 1LL, 1LL << 12, 12345678LL, (1LL << 24) - 1, 1LL << 24}) {
     PlaneLayout layout;
-    layout.lean = lean;
+    layout.skew = skew;
     for (int row = 0; row < largest_side; ++row) {
-      ASSERT_EQ(slab::skew_of(row, static_cast<u32>(lean)), layout.skew(row)) << row << ", " << lean;
+      ASSERT_EQ(slab::skew_of(row, static_cast<u32>(skew)), layout.shift(row)) << row << ", " << skew;
     }
   }
 }

@@ -91,16 +91,16 @@ bool SlabEngine::sweep_until_done(Progress& progress) {
     const int rows = ring_rows(progress.highest);
     prepare_strips<Lane>(rows);
     const Progress start = progress;
-    bool crowded = false;
+    bool overflow = false;
     pool_.run(sweepers(), [&](int member) {
       const Progress end = sweep_as_member<Lane>(member, start, rows);
       if (member != 0) return;
       progress = end;
-      crowded = end.crowded;
+      overflow = end.overflow;
     });
     if ((progress.account.sweep - start.account.sweep) % 2 != 0) std::swap(mine.before, mine.after);
-    if (crowded) {
-      progress.crowded = false;
+    if (overflow) {
+      progress.overflow = false;
       std::fill(mine.rings.begin(), mine.rings.end(), Lane{0});
       return false;
     }
@@ -109,7 +109,7 @@ bool SlabEngine::sweep_until_done(Progress& progress) {
 }
 
 /// One member's part of the sub-sweeps to come, until the step is done, the rings are too short or a place is too
-/// crowded. Every member keeps the same account, so that all leave the loop together.
+/// overflowing. Every member keeps the same account, so that all leave the loop together.
 template <typename Lane>
 SlabEngine::Progress SlabEngine::sweep_as_member(int member, Progress progress, int rows) {
   Planes<Lane>& mine = planes<Lane>();
@@ -118,10 +118,10 @@ SlabEngine::Progress SlabEngine::sweep_as_member(int member, Progress progress, 
   const bool apart = lines_stay_apart<Lane>();
   Lane* before = mine.before.data();
   Lane* after = mine.after.data();
-  if (layout_.lean != 0) {
+  if (layout_.skew != 0) {
     SweepPlan<Lane> plan = sweep_plan<Lane>(progress);
     plan.after = before;
-    keep_firsts<Lane>(kernels, slide_plan<Lane>(plan, *progress.law, member, 0), member);
+    keep_ghosts<Lane>(kernels, slide_plan<Lane>(plan, *progress.law, member, 0), member);
     pool_.barrier();
   }
   if (!progress.law->repeated_polling && progress.account.sweep % options_.sweeps != 0) draw_round(progress, member);
@@ -133,10 +133,11 @@ SlabEngine::Progress SlabEngine::sweep_as_member(int member, Progress progress, 
     plan.after = after;
     plan.ring_rows = rows;
     plan.lifted = lifted_.empty() ? nullptr : lifted_.data();
-    for (int k = first_strip; k < end_strip; ++k) kernels.convey(plan, mine.strips[static_cast<std::size_t>(k)]);
+    for (int k = first_strip; k < end_strip; ++k)
+      kernels.transport_pass(plan, mine.strips[static_cast<std::size_t>(k)]);
     barrier_unless(apart);
     const auto strips = static_cast<int>(mine.strips.size());
-    if (layout_.lean != 0) {
+    if (layout_.skew != 0) {
       // What hangs over into a member's strip it takes itself: those places are in its own processor's cache.
       for (int k = first_strip; k < end_strip; ++k) {
         kernels.hand_over(plan, mine.strips[static_cast<std::size_t>((k + strips - 1) % strips)]);
@@ -147,7 +148,7 @@ SlabEngine::Progress SlabEngine::sweep_as_member(int member, Progress progress, 
     const int over = strips_over_edge(plan, mine.strips.front().lines) % strips;
     for (int k = first_strip; k < end_strip; ++k) {
       Strip<Lane>& strip = mine.strips[static_cast<std::size_t>((k + strips - over) % strips)];
-      if (!plan.open && !strip.counts.crowded) kernels.carry(plan, strip);
+      if (!plan.open && !strip.counts.overflow) kernels.wrap_pass(plan, strip);
       strip.shown[turn] = strip.counts;
     }
     barrier_unless(apart);
@@ -156,12 +157,12 @@ SlabEngine::Progress SlabEngine::sweep_as_member(int member, Progress progress, 
     pool_.barrier();
     const SweepCounters counts = summed(mine.strips, turn);
     const int bound = progress.highest + static_cast<int>(counts.most_landed + counts.most_carried);
-    if (counts.crowded || (sizeof(Lane) == 1 && !narrow_fits(bound))) {
-      progress.crowded = true;
+    if (counts.overflow || (sizeof(Lane) == 1 && !narrow_fits(bound))) {
+      progress.overflow = true;
       break;
     }
     if (plan.lifted != nullptr) add_lifted(member);
-    slide_seams<Lane>(kernels, slides, member);
+    slide_borders<Lane>(kernels, slides, member);
     barrier_unless(apart);
     take_account(progress, plan, counts, bound);
     std::swap(before, after);
@@ -203,13 +204,14 @@ SweepCounters SlabEngine::summed(const std::vector<Strip<Lane>>& strips, int tur
     sum.highest = std::max(sum.highest, counts.highest);
     sum.most_landed = std::max(sum.most_landed, counts.most_landed);
     sum.most_carried = std::max(sum.most_carried, counts.most_carried);
-    sum.crowded = sum.crowded || counts.crowded;
+    sum.overflow = sum.overflow || counts.overflow;
   }
   return sum;
 }
 
-/// Slides inside tiles, then over the seams between the rows of tiles, and keeps what the seams between blocks need. A
-/// member's tiles stand in the columns of its strips, so that (on a straight wind) what it conveyed is still near.
+/// Slides inside tiles, then over the borders between the rows of tiles, and keeps what the borders between blocks
+/// need. A member's tiles stand in the columns of its strips, so that (on a straight wind) what it conveyed is still
+/// near.
 template <typename Lane>
 void SlabEngine::slide_blocks(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member, bool apart) {
   const int length = plan.layout.length;
@@ -220,16 +222,16 @@ void SlabEngine::slide_blocks(const SweepKernels<Lane>& kernels, const SlidePlan
   barrier_unless(apart);
   for (int k = first; k < end; ++k) {
     const SlideTile tile = tile_number(k, length);
-    if (tile.end_row < length || (!plan.open && length > 2)) kernels.slide_row_seam(plan, tile);
+    if (tile.end_row < length || (!plan.open && length > 2)) kernels.slide_row_border(plan, tile);
   }
   barrier_unless(apart);
   const auto [first_block, end_block] = share(blocks, member, sweepers());
   for (int block = first_block; block < end_block; ++block) kernels.keep_edges(plan, block);
 }
 
-/// Slides over the seams between blocks. Members whose blocks meet there both do so, each for its own side.
+/// Slides over the borders between blocks. Members whose blocks meet there both do so, each for its own side.
 template <typename Lane>
-void SlabEngine::slide_seams(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
+void SlabEngine::slide_borders(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
   const int blocks = plan.layout.blocks;
   const auto [first, end] = share(blocks, member, sweepers());
   const auto is_mine = [first = first, end = end](int block) { return first <= block && block < end; };
@@ -238,26 +240,26 @@ void SlabEngine::slide_seams(const SweepKernels<Lane>& kernels, const SlidePlan<
     if (closes && (plan.open || plan.layout.width <= 2)) continue;
     const int right = closes ? 0 : left + 1;
     if (is_mine(left) || is_mine(right)) {
-      kernels.slide_column_seam(plan, left, right, is_mine(left), is_mine(right));
+      kernels.slide_column_border(plan, left, right, is_mine(left), is_mine(right));
     }
   }
-  if (plan.layout.lean == 0) return;
-  keep_firsts<Lane>(kernels, plan, member);
+  if (plan.layout.skew == 0) return;
+  keep_ghosts<Lane>(kernels, plan, member);
   if (!plan.diagonals || plan.layout.length == 1) return;
   pool_.barrier();
   if (member != 0) return;
   kernels.slide_corners(plan);
   for (int block = 0; block < blocks; ++block) {
-    kernels.keep_firsts(plan, block, 0, 1);
-    kernels.keep_firsts(plan, block, plan.layout.length - 1, plan.layout.length);
+    kernels.keep_ghosts(plan, block, 0, 1);
+    kernels.keep_ghosts(plan, block, plan.layout.length - 1, plan.layout.length);
   }
 }
 
 /// Skewed planes: keeps the first places of the member's blocks.
 template <typename Lane>
-void SlabEngine::keep_firsts(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
+void SlabEngine::keep_ghosts(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member) {
   const auto [first, end] = share(plan.layout.blocks, member, sweepers());
-  for (int block = first; block < end; ++block) kernels.keep_firsts(plan, block, 0, plan.layout.length);
+  for (int block = first; block < end; ++block) kernels.keep_ghosts(plan, block, 0, plan.layout.length);
 }
 
 /// Members that carry out sub-sweeps: no more than processors, for others would only keep these waiting at each
@@ -281,7 +283,7 @@ SweepPlan<Lane> SlabEngine::sweep_plan(const Progress& progress) const {
   static_cast<SubSweep&>(plan) = sub_sweep(*progress.law, frame_, open_, progress.key, progress.account,
                                            options_.sweeps, polled_rows_[rows_of_round(progress)]);
   plan.layout = layout_;
-  plan.before_firsts = mine.firsts.data();
+  plan.before_ghosts = mine.ghosts.data();
   plan.bedrock = mine.bedrock.empty() ? nullptr : mine.bedrock.data();
   plan.cover = cover_.empty() ? nullptr : cover_.data();
   plan.wall_rows = wall_rows_.empty() ? nullptr : wall_rows_.data();
@@ -309,10 +311,10 @@ SlidePlan<Lane> SlabEngine::slide_plan(const SweepPlan<Lane>& sweep, const SlabL
   plan.diagonals = sweep.edge_classes == 8;
   plan.open = open_;
   plan.order = sweep.order;
-  plan.firsts = mine.firsts.data();
+  plan.ghosts = mine.ghosts.data();
   plan.edges = mine.edges.data() + mine.edges.size() / 2 * static_cast<std::size_t>(turn);
-  plan.seam =
-      mine.seams.data() + mine.seams.size() / static_cast<std::size_t>(sweepers()) * static_cast<std::size_t>(member);
+  plan.border = mine.borders.data() +
+                mine.borders.size() / static_cast<std::size_t>(sweepers()) * static_cast<std::size_t>(member);
   return plan;
 }
 

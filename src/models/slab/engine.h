@@ -2,12 +2,12 @@
 // the cells on a frozen surface, moves their slabs, and lets slopes slide. From K = 8 to 16 on it grows the same dunes
 // as one slab at a time, on any number of threads with the same bits.
 //
-// A sub-sweep has four phases: *convey* (each thread follows its strips of lines down the wind; on skewed planes it
-// then hands over the cells at its strips' edges), *carry* (slabs still in the air go on over the torus edge), *slide*
-// (tiles, then the seams between their rows), *seams* (between blocks of columns). Barriers stand between them; where
-// the lines of each thread stay in blocks of its own, before the seams alone. It is deterministic because decisions
-// read only the frozen plane and keyed random numbers, lines never share a cell, and the edges of one class of slides
-// are disjoint.
+// A sub-sweep has four phases: *transport* (each thread follows its strips of lines down the wind; on skewed planes it
+// then hands over the cells at its strips' edges), *wrap* (slabs still in the air go on over the torus edge), *slide*
+// (tiles, then the borders between their rows), *borders* (between blocks of columns). Barriers stand between them;
+// where the lines of each thread stay in blocks of its own, before the borders alone. It is deterministic because
+// decisions read only the frozen plane and keyed random numbers, lines never share a cell, and the edges of one class
+// of slides are disjoint.
 #pragma once
 
 #include <utility>
@@ -43,10 +43,10 @@ class SlabEngine : public SlabSolver {
     compute::AlignedVector<Lane> diagonal_steps;
     std::vector<Strip<Lane>> strips;
     compute::AlignedVector<Lane> rings;
-    compute::AlignedVector<Overhang<Lane>> overhangs;  ///< of each strip and row; empty where planes are not skewed
-    compute::AlignedVector<Lane> firsts;               ///< SlidePlan::firsts
-    compute::AlignedVector<Lane> edges;                ///< SlidePlan::edges, of two sub-sweeps in turn
-    compute::AlignedVector<Lane> seams;                ///< SlidePlan::seam, for each member
+    compute::AlignedVector<Halo<Lane>> halos;  ///< of each strip and row; empty where planes are not skewed
+    compute::AlignedVector<Lane> ghosts;       ///< SlidePlan::ghosts
+    compute::AlignedVector<Lane> edges;        ///< SlidePlan::edges, of two sub-sweeps in turn
+    compute::AlignedVector<Lane> borders;      ///< SlidePlan::border, for each member
   };
 
   /// What the loaded cover, and the steps that stand under it, were made from.
@@ -64,9 +64,9 @@ class SlabEngine : public SlabSolver {
     const SlabLaw* law = nullptr;
     StepKey key;
     StepAccount account;
-    int highest = 0;       ///< bound on the highest cell
-    bool crowded = false;  ///< the next sub-sweep needs 16-bit lanes
-    SweepCounters counts;  ///< summed over sub-sweeps
+    int highest = 0;        ///< bound on the highest cell
+    bool overflow = false;  ///< the next sub-sweep needs 16-bit lanes
+    SweepCounters counts;   ///< summed over sub-sweeps
   };
 
   template <typename Lane>
@@ -127,10 +127,10 @@ class SlabEngine : public SlabSolver {
   template <typename Lane>
   void slide_blocks(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member, bool apart);
   template <typename Lane>
-  void slide_seams(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
+  void slide_borders(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
   int sweepers() const;
   template <typename Lane>
-  void keep_firsts(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
+  void keep_ghosts(const SweepKernels<Lane>& kernels, const SlidePlan<Lane>& plan, int member);
   static std::pair<int, int> share(int count, int member, int members);
   template <typename Lane>
   SweepPlan<Lane> sweep_plan(const Progress& progress) const;

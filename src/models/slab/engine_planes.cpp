@@ -34,7 +34,7 @@ void SlabEngine::load(const Terrain& terrain, const WindFrame& frame) {
 
 /// Whether the planes already lie as this frame wants them.
 bool SlabEngine::lies_ready_for(const WindFrame& frame) const {
-  return frame_.same_axes(frame) && layout_.lean == plane_layout(frame, open_).lean;
+  return frame_.same_axes(frame) && layout_.skew == plane_layout(frame, open_).skew;
 }
 
 /// Lays the planes as this frame wants them where it has the same rows: then each is turned round the torus or
@@ -74,10 +74,10 @@ void SlabEngine::turn_rows_of(AlignedVector<Lane>& plane, const PlaneLayout& wan
         }
       };
       each_block([](const Lane* in_plane, Lane* place, int count) { std::copy_n(in_plane, count, place); });
-      std::rotate_copy(places.begin(), places.begin() + layout_.wrapped(-layout_.skew(row)), places.end(),
+      std::rotate_copy(places.begin(), places.begin() + layout_.wrapped(-layout_.shift(row)), places.end(),
                        columns.begin());
       if (mirrored) std::reverse(columns.begin(), columns.end());
-      std::rotate_copy(columns.begin(), columns.begin() + wanted.wrapped(wanted.skew(row)), columns.end(),
+      std::rotate_copy(columns.begin(), columns.begin() + wanted.wrapped(wanted.shift(row)), columns.end(),
                        places.begin());
       each_block([](Lane* in_plane, const Lane* place, int count) { std::copy_n(place, count, in_plane); });
     }
@@ -99,7 +99,7 @@ void SlabEngine::visit_cells(const Visit& visit) {
       const int first = block * block_rows;
       const int end = std::min(frame_.length, first + block_rows);
       std::array<int, block_rows> places{};  // of the column in each row
-      for (int v = first; v < end; ++v) places[static_cast<std::size_t>(v - first)] = layout_.wrapped(-layout_.skew(v));
+      for (int v = first; v < end; ++v) places[static_cast<std::size_t>(v - first)] = layout_.wrapped(-layout_.shift(v));
       for (int u = 0; u < frame_.width; ++u) {
         for (int v = first; v < end; ++v) {
           int& place = places[static_cast<std::size_t>(v - first)];
@@ -271,26 +271,26 @@ void SlabEngine::prepare_strips(int ring_rows) {
   const std::size_t ring = static_cast<std::size_t>(ring_rows) * strip_lines + fetched_ahead;
   if (mine.strips.size() != count) mine.strips = std::vector<Strip<Lane>>(count);
   if (mine.rings.size() != ring * count) mine.rings.assign(ring * count, 0);
-  const std::size_t rows = layout_.lean != 0 ? static_cast<std::size_t>(layout_.length) : 0;
-  mine.overhangs.resize(rows * count);
-  mine.firsts.resize(rows * static_cast<std::size_t>(layout_.blocks) * first_places);
+  const std::size_t rows = layout_.skew != 0 ? static_cast<std::size_t>(layout_.length) : 0;
+  mine.halos.resize(rows * count);
+  mine.ghosts.resize(rows * static_cast<std::size_t>(layout_.blocks) * ghost_places);
   const auto length = static_cast<std::size_t>(layout_.length);
   mine.edges.resize(2 * 4 * static_cast<std::size_t>(layout_.blocks) * length);
-  mine.seams.resize(static_cast<std::size_t>(members) * (seam_columns * length + fetched_ahead));
+  mine.borders.resize(static_cast<std::size_t>(members) * (border_columns * length + fetched_ahead));
   for (std::size_t k = 0; k < count; ++k) {
     Strip<Lane>& strip = mine.strips[k];
     strip.first = static_cast<int>(k) * lines;
     strip.lines = std::min(lines, frame_.width - strip.first);
     strip.ring = mine.rings.data() + ring * k;
-    strip.overhang = layout_.lean != 0 ? mine.overhangs.data() + rows * k : nullptr;
+    strip.halo = layout_.skew != 0 ? mine.halos.data() + rows * k : nullptr;
     const int next = layout_.wrapped(strip.first + strip.lines);
     const int next_block = layout_.block_of(next);
-    strip.next_block = layout_.lean != 0 && next == next_block * layout_.block_columns ? next_block : -1;
+    strip.next_block = layout_.skew != 0 && next == next_block * layout_.block_columns ? next_block : -1;
   }
 }
 
 /// Whether each member's lines stay in blocks of its own, from the first row to the last and over the torus edge. Then
-/// nothing but the seams between blocks is any concern of another member.
+/// nothing but the borders between blocks is any concern of another member.
 template <typename Lane>
 bool SlabEngine::lines_stay_apart() const {
   const std::vector<Strip<Lane>>& strips = planes<Lane>().strips;

@@ -53,7 +53,7 @@ void give_grid(const forcing::WindFrame& frame, bool open, Given& given) {
   const PlaneLayout tiles = plane_layout(frame, open);
   given.blocks = tiles.blocks;
   given.block_columns = tiles.block_columns;
-  given.lean = static_cast<u32>(tiles.lean);
+  given.skew = static_cast<u32>(tiles.skew);
 }
 
 void give_sub_sweep(const SubSweep& sweep, Given& given) {

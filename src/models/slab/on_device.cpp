@@ -263,10 +263,10 @@ void SlabOnDevice::sweep(const slab::Plan& plan) {
     backend_.launch(Kernels::let_in, given.width + given.rows - 1, plan);
   }
   backend_.launch(Kernels::lift, blocks * given.width, plan);
-  if (!open_) backend_.launch(Kernels::carry, given.width, plan);
+  if (!open_) backend_.launch(Kernels::wrap_pass, given.width, plan);
 }
 
-/// Slides inside tiles, class by class, then over the seams between tiles.
+/// Slides inside tiles, class by class, then over the borders between tiles.
 void SlabOnDevice::slide(slab::Plan plan, const SlabLaw& law, const SubSweep& drawn) {
   const slab::Given& given = plan.given;
   const auto choose = [&](EdgeClass edges) {
@@ -286,15 +286,15 @@ void SlabOnDevice::slide(slab::Plan plan, const SlabLaw& law, const SubSweep& dr
   for (const EdgeClass edges : {along_even, rising_even, falling_even}) {
     if (is_diagonal(edges) && !diagonals) continue;
     choose(edges);
-    backend_.launch(Kernels::slide_row_seams, std::int64_t{given.width} * (given.rows / tile_rows + 1), plan);
+    backend_.launch(Kernels::slide_row_borders, std::int64_t{given.width} * (given.rows / tile_rows + 1), plan);
   }
   for (const EdgeClass edges : {across_even, along_even, rising_even, falling_even}) {
-    if (is_diagonal(edges) ? !diagonals : edges == along_even && given.lean == 0) continue;
+    if (is_diagonal(edges) ? !diagonals : edges == along_even && given.skew == 0) continue;
     choose(edges);
-    backend_.launch(Kernels::slide_column_seams, std::int64_t{given.rows} * given.blocks, plan);
+    backend_.launch(Kernels::slide_column_borders, std::int64_t{given.rows} * given.blocks, plan);
   }
   for (const EdgeClass edges : {rising_even, falling_even}) {
-    if (!diagonals || given.lean == 0 || given.rows < 2) continue;
+    if (!diagonals || given.skew == 0 || given.rows < 2) continue;
     choose(edges);
     backend_.launch(Kernels::slide_corners, given.blocks, plan);
   }

@@ -10,13 +10,13 @@
 
 namespace erg::models {
 
-/// Rows of a tile: slides inside tiles come first, then the seams between them.
+/// Rows of a tile: slides inside tiles come first, then the borders between them.
 inline constexpr int tile_rows = 32;
 
 /// How a plane of the grid lies in memory: cut into blocks of columns, each whole and one after another, so that
 /// threads which work on different columns touch different memory (and what their prefetchers read ahead is their own).
 ///
-/// The planes of an oblique wind are *skewed*: column u of row v stands in *place* u - skew(v), round the torus, so
+/// The planes of an oblique wind are *skewed*: column u of row v stands in *place* u - shift(v), round the torus, so
 /// that lines, which drift sideways with the wind, stay in a block from the first row to the last (but for a few
 /// places: most_lead in sweep.h).
 struct PlaneLayout {
@@ -26,7 +26,7 @@ struct PlaneLayout {
   int blocks = 0;
   int pitch = 0;               ///< lanes from one row of a block to the next
   std::size_t block_size = 0;  ///< lanes of a whole block
-  std::int64_t lean = 0;       ///< columns of skew for one row, times 2^24; 0: place and column are the same
+  std::int64_t skew = 0;       ///< columns of skew for one row, times 2^24; 0: place and column are the same
 
   /// Where a block's column of a row lies in memory.
   ERG_CELL_RULE std::size_t at(int block, int column_in_block, int row) const {
@@ -42,7 +42,7 @@ struct PlaneLayout {
     return block < blocks ? block : blocks - 1;
   }
   /// Columns by which a row is shifted, at most those by which a line has drifted there.
-  ERG_CELL_RULE int skew(int row) const { return static_cast<int>((row * lean) >> 24) - (lean != 0 ? 1 : 0); }
+  ERG_CELL_RULE int shift(int row) const { return static_cast<int>((row * skew) >> 24) - (skew != 0 ? 1 : 0); }
   /// The same of a place.
   ERG_CELL_RULE std::size_t at_place(int place, int row) const {
     const int block = block_of(place);

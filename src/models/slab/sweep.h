@@ -23,20 +23,20 @@ inline constexpr int narrow_arrivals = 100;
 
 /// On skewed planes a line stands in its own place or up to so many places beside it: a part for the phase, a part for
 /// the rounded drift, and one that `skew` holds back.
-inline constexpr int most_lead = 3;
+inline constexpr int most_offset = 3;
 
-/// Cells of one row that stand in the places of the next strip. They are handed over after the conveyor, or two threads
+/// Cells of one row that stand in the places of the next strip. They are handed over after the transport pass, or two threads
 /// would write to the same piece of memory all the time.
 template <typename Lane>
-struct Overhang {
-  Lane lead = 0;
-  Lane heights[most_lead] = {};
+struct Halo {
+  Lane offset = 0;
+  Lane heights[most_offset] = {};
 };
 
 /// Places at the start of each row of a block that are kept packed together, for the strip before it to read: in their
 /// places they lie in a cache line a row that their own thread writes to all the time. One more than needed, to fill a
 /// word.
-inline constexpr int first_places = most_lead + 1;
+inline constexpr int ghost_places = most_offset + 1;
 
 /// Everything that all strips of a sub-sweep share: what was drawn for it, and where it works. `Lane` counts slabs: 8
 /// or 16 bits.
@@ -45,7 +45,7 @@ struct SweepPlan : SubSweep {
   PlaneLayout layout;
   const Lane* before = nullptr;
   Lane* after = nullptr;
-  const Lane* before_firsts = nullptr;      ///< skewed planes: first_places of each row of each block of `before`
+  const Lane* before_ghosts = nullptr;      ///< skewed planes: ghost_places of each row of each block of `before`
   const Lane* bedrock = nullptr;            ///< null where all bedrock is level (then it is 0)
   const std::uint8_t* cover = nullptr;      ///< null: bare
   const std::uint8_t* wall_rows = nullptr;  ///< with obstacles: 1 where the row holds bedrock that may stop slabs
@@ -67,9 +67,9 @@ struct SweepCounters {
   std::int64_t slabs_in = 0;
   std::int64_t slabs_out = 0;
   std::uint32_t highest = 0;       ///< highest cell written, before what the carry adds
-  std::uint32_t most_landed = 0;   ///< most slabs set down on one cell by the conveyor
+  std::uint32_t most_landed = 0;   ///< most slabs set down on one cell by the transport pass
   std::uint32_t most_carried = 0;  ///< the same by the carry
-  bool crowded = false;            ///< too many slabs at one place for 8-bit lanes
+  bool overflow = false;           ///< too many slabs at one place for 8-bit lanes
 };
 
 /// Bytes between what two threads write all the time: a processor fetches ahead of what it reads, up to the end of a
@@ -89,12 +89,12 @@ struct alignas(fetched_ahead) Strip {
   alignas(64) Lane upwind[2][strip_lines];  ///< heights of the last two rows, in turn (oblique winds)
   int second = 0;                           ///< where in `upwind` the earlier one is
   alignas(64) Lane target[strip_lines];     ///< the row of the block in which the line is polled
-  Overhang<Lane>* overhang = nullptr;       ///< of each row; null where planes are not skewed
+  Halo<Lane>* halo = nullptr;               ///< of each row; null where planes are not skewed
   int next_block = -1;                      ///< the block that begins where the strip's own places end, if one does
   Lane* ring = nullptr;                     ///< ring_rows x strip_lines, empty (0) between sub-sweeps
 };
 
-/// Slides of one sub-sweep, for one thread: what slides by which rules, and its room for seams.
+/// Slides of one sub-sweep, for one thread: what slides by which rules, and its room for borders.
 template <typename Lane>
 struct SlidePlan {
   PlaneLayout layout;
@@ -107,9 +107,9 @@ struct SlidePlan {
   bool diagonals = false;
   bool open = false;
   const std::uint8_t* order = nullptr;  ///< edge classes in the order of this sub-sweep
-  Lane* firsts = nullptr;               ///< skewed planes: first_places of each row of each block
+  Lane* ghosts = nullptr;               ///< skewed planes: ghost_places of each row of each block
   Lane* edges = nullptr;                ///< what stands in the outermost columns of each block (edge_column)
-  Lane* seam = nullptr;                 ///< room for the columns of one seam: seam_columns x length
+  Lane* border = nullptr;               ///< room for the columns of one border: border_columns x length
 
   /// Where column `k` of a block's outermost ones is kept: 0, 1 from the left, 2, 3 to the right.
   Lane* edge_column(int block, int k) const {
@@ -117,8 +117,8 @@ struct SlidePlan {
   }
 };
 
-/// Four columns beside a seam with the height, bedrock and both critical steps of their cells.
-inline constexpr int seam_columns = 16;
+/// Four columns beside a border with the height, bedrock and both critical steps of their cells.
+inline constexpr int border_columns = 16;
 
 /// A block's cells in some of its rows, which slide by themselves. Tiles are a part of the rules: they depend on the
 /// grid alone.
@@ -130,16 +130,16 @@ struct SlideTile {
 
 template <typename Lane>
 struct SweepKernels {
-  void (*convey)(const SweepPlan<Lane>&, Strip<Lane>&);          ///< rows 0 ... length - 1 of a strip's lines
-  void (*hand_over)(const SweepPlan<Lane>&, Strip<Lane>&);       ///< writes a strip's overhang
-  void (*carry)(const SweepPlan<Lane>&, Strip<Lane>&);           ///< slabs still in the air go on over the torus edge
+  void (*transport_pass)(const SweepPlan<Lane>&, Strip<Lane>&);  ///< rows 0 ... length - 1 of a strip's lines
+  void (*hand_over)(const SweepPlan<Lane>&, Strip<Lane>&);       ///< writes a strip's halo
+  void (*wrap_pass)(const SweepPlan<Lane>&, Strip<Lane>&);       ///< slabs still in the air go on over the torus edge
   void (*slide_tile)(const SlidePlan<Lane>&, const SlideTile&);  ///< all edges inside a tile
-  void (*slide_row_seam)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to what lies above a tile
-  void (*keep_edges)(const SlidePlan<Lane>&, int block);                   ///< copies the outermost columns
+  void (*slide_row_border)(const SlidePlan<Lane>&, const SlideTile& below);  ///< edges to what lies above a tile
+  void (*keep_edges)(const SlidePlan<Lane>&, int block);                     ///< copies the outermost columns
   /// Edges between two blocks, from the columns that both have kept; writes to those blocks that are `mine`.
-  void (*slide_column_seam)(const SlidePlan<Lane>&, int left, int right, bool left_mine, bool right_mine);
+  void (*slide_column_border)(const SlidePlan<Lane>&, int left, int right, bool left_mine, bool right_mine);
   /// Copies the first places of a block's rows [first, end).
-  void (*keep_firsts)(const SlidePlan<Lane>&, int block, int first_row, int end_row);
+  void (*keep_ghosts)(const SlidePlan<Lane>&, int block, int first_row, int end_row);
   void (*slide_corners)(const SlidePlan<Lane>&);  ///< skewed planes: edges between blocks over the torus edge
 };
 

@@ -63,7 +63,7 @@ class Flight {
       const std::int64_t down = y + static_cast<std::int64_t>((static_cast<std::uint64_t>(rows_256) * part) >> 24);
       Lane& there = strip_.ring[ring_start(down) + static_cast<std::size_t>(lane)];
       there = static_cast<Lane>(there + 1);
-      if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.crowded = true;
+      if (sizeof(Lane) == 1 && there > narrow_arrivals) strip_.counts.overflow = true;
       strip_.counts.rows_flown -= down;  // its way begins where it first comes down
       expect(down);
     }
@@ -144,7 +144,7 @@ class Flight {
         longest = rows > longest ? rows : longest;
       }
     }
-    if (sizeof(Lane) == 1 && fullest > narrow_arrivals) strip_.counts.crowded = true;
+    if (sizeof(Lane) == 1 && fullest > narrow_arrivals) strip_.counts.overflow = true;
     expect(flown + longest);
     return some_back;
   }

@@ -27,34 +27,34 @@ namespace {
 
 #include "models/slab/sweep_flight.inl"
 
-#include "models/slab/sweep_conveyor.inl"
+#include "models/slab/sweep_transport.inl"
 
 #include "models/slab/sweep_slides.inl"
 
-#include "models/slab/sweep_seams.inl"
+#include "models/slab/sweep_borders.inl"
 
 template <typename Lane>
-void convey(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
-  Conveyor<Lane>(plan, strip).convey();
+void transport_pass(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
+  TransportPass<Lane>(plan, strip).transport_pass();
 }
 
 template <typename Lane>
 void hand_over(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
-  std::size_t start[most_lead];  // of the places after the strip's own
-  for (int k = 0; k < most_lead; ++k) {
+  std::size_t start[most_offset];  // of the places after the strip's own
+  for (int k = 0; k < most_offset; ++k) {
     start[k] = plan.layout.at_place(plan.layout.wrapped(strip.first + strip.lines + k), 0);
   }
   for (int y = 0; y < plan.layout.length; ++y) {
-    const Overhang<Lane>& overhang = strip.overhang[y];
+    const Halo<Lane>& halo = strip.halo[y];
     Lane* row = plan.after + static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.layout.pitch);
-    const int skipped = overhang.lead > strip.lines ? overhang.lead - strip.lines : 0;
-    for (int k = skipped; k < overhang.lead; ++k) row[start[k]] = overhang.heights[k - skipped];
+    const int skipped = halo.offset > strip.lines ? halo.offset - strip.lines : 0;
+    for (int k = skipped; k < halo.offset; ++k) row[start[k]] = halo.heights[k - skipped];
   }
 }
 
 template <typename Lane>
-void carry(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
-  Conveyor<Lane>(plan, strip).carry();
+void wrap_pass(const SweepPlan<Lane>& plan, Strip<Lane>& strip) {
+  TransportPass<Lane>(plan, strip).wrap_pass();
 }
 
 template <typename Lane>
@@ -63,12 +63,12 @@ void slide_tile(const SlidePlan<Lane>& plan, const SlideTile& tile) {
 }
 
 template <typename Lane>
-void slide_row_seam(const SlidePlan<Lane>& plan, const SlideTile& below) {
-  Slider<Lane>(plan).row_seam(below);
+void slide_row_border(const SlidePlan<Lane>& plan, const SlideTile& below) {
+  Slider<Lane>(plan).row_border(below);
 }
 
 template <typename Lane>
-void slide_column_seam(const SlidePlan<Lane>& plan, int left, int right, bool left_mine, bool right_mine) {
+void slide_column_border(const SlidePlan<Lane>& plan, int left, int right, bool left_mine, bool right_mine) {
   ColumnSeam<Lane>(plan, left, right).slide(left_mine, right_mine);
 }
 
@@ -84,9 +84,9 @@ void slide_corners(const SlidePlan<Lane>& plan) {
 extern const SweepKernels<std::uint8_t> narrow_kernels;
 extern const SweepKernels<std::uint16_t> wide_kernels;
 template <typename Lane>
-constexpr SweepKernels<Lane> all_kernels{
-    convey<Lane>,     hand_over<Lane>,         carry<Lane>,       slide_tile<Lane>,   slide_row_seam<Lane>,
-    keep_edges<Lane>, slide_column_seam<Lane>, keep_firsts<Lane>, slide_corners<Lane>};
+constexpr SweepKernels<Lane> all_kernels{transport_pass<Lane>,      hand_over<Lane>,        wrap_pass<Lane>,
+                                         slide_tile<Lane>,          slide_row_border<Lane>, keep_edges<Lane>,
+                                         slide_column_border<Lane>, keep_ghosts<Lane>,      slide_corners<Lane>};
 const SweepKernels<std::uint8_t> narrow_kernels = all_kernels<std::uint8_t>;
 const SweepKernels<std::uint16_t> wide_kernels = all_kernels<std::uint16_t>;
 

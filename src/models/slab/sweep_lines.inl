@@ -48,8 +48,8 @@ class LineWalk {
       find_place();
       return;
     }
-    if (!stepped_ && layout_.lean == 0) return;
-    const int skew = layout_.skew(y_);
+    if (!stepped_ && layout_.skew == 0) return;
+    const int skew = layout_.shift(y_);
     const int moved = (stepped_ ? 1 : 0) - (skew - skew_);
     skew_ = skew;
     lead_ += moved;
@@ -64,7 +64,7 @@ class LineWalk {
   int column() const { return column_; }
   /// Places from line i's own, i, to the one where it stands: 0 to most_lead on skewed planes, until the lines leave
   /// the grid.
-  int lead() const { return lead_; }
+  int offset() const { return lead_; }
   /// Whether the lines have moved one column sideways at this row.
   bool stepped() const { return stepped_; }
   /// Calls visit(first lane, cell of a plane, lanes, room) for each run of the first lanes that lie side by side in a
@@ -98,7 +98,7 @@ class LineWalk {
 
  private:
   void find_place() {
-    skew_ = layout_.skew(y_);
+    skew_ = layout_.shift(y_);
     const int place = layout_.wrapped(column_ - skew_);
     block_ = layout_.block_of(place);
     in_block_ = place - block_ * layout_.block_columns;

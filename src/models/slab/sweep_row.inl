@@ -5,11 +5,11 @@ template <typename Lane>
 struct Row {
   alignas(64) Lane height[strip_lines];
   alignas(64) Lane bedrock[strip_lines];
-  alignas(64) Lane dark[strip_lines];
-  alignas(64) Lane random[strip_lines];     // of the draw at hand
-  alignas(64) Lane held[strip_lines];       // mask: nothing lifts here
-  alignas(64) Lane threshold[strip_lines];  // a slab stays if its random byte is below
-  alignas(64) Lane sure[strip_lines];       // mask: every slab stays
+  alignas(64) Lane shaded[strip_lines];
+  alignas(64) Lane random[strip_lines];          // of the draw at hand
+  alignas(64) Lane no_lift[strip_lines];         // mask: nothing lifts here
+  alignas(64) Lane threshold[strip_lines];       // a slab stays if its random byte is below
+  alignas(64) Lane always_deposit[strip_lines];  // mask: every slab stays
   alignas(64) Lane lifted[strip_lines];
   alignas(64) Lane landed[strip_lines];
   alignas(64) Lane leaving[strip_lines];
@@ -43,7 +43,7 @@ std::uint64_t lanes_above(const Lane* lanes) {
   constexpr bool bytes = sizeof(Lane) == 1;
   constexpr std::uint64_t ones = bytes ? 0x0101010101010101u : 0x0001000100010001u;
   // An addition carries into a lane's top bit and no further.
-  constexpr std::uint64_t carry = ones * ((std::uint64_t{1} << (lane_bits - 1)) - 1 - limit);
+  constexpr std::uint64_t wrap_pass = ones * ((std::uint64_t{1} << (lane_bits - 1)) - 1 - limit);
   // Multiplying gathers the top bits of a word's lanes in its uppermost bits, in order.
   constexpr std::uint64_t gather = bytes ? 0x0102040810204080u : 0x0001000200040008u;
   constexpr int gathered_at = bytes ? 56 : 48;
@@ -52,7 +52,7 @@ std::uint64_t lanes_above(const Lane* lanes) {
   for (int word_number = 0; word_number < 64 / lanes_per_word; ++word_number) {
     std::uint64_t word;
     __builtin_memcpy(&word, lanes + word_number * lanes_per_word, 8);
-    const std::uint64_t top = ((word + carry) >> (lane_bits - 1)) & ones;
+    const std::uint64_t top = ((word + wrap_pass) >> (lane_bits - 1)) & ones;
     mask |= ((top * gather) >> gathered_at & gathered) << (word_number * lanes_per_word);
   }
   return mask;

@@ -18,12 +18,12 @@ class ShadowLine {
       return;
     }
     const Lane* __restrict height = row.height;
-    Lane* __restrict dark = row.dark;
+    Lane* __restrict shaded = row.shaded;
     Shadow* __restrict line = strip_.line;
     const Shadow fall = row_fall_;
     ERG_EACH(i, lanes) {
       const Shadow top = static_cast<Shadow>(height[i] << kernels::fixed_point_bits);
-      dark[i] = top < line[i] ? all_ones : Lane{0};
+      shaded[i] = top < line[i] ? all_ones : Lane{0};
       const Shadow higher = top > line[i] ? top : line[i];
       line[i] = static_cast<Shadow>((higher > fall ? higher : fall) - fall);
     }
@@ -36,7 +36,7 @@ class ShadowLine {
   /// The same with falls of their own from the next row upwind and from the second.
   void cast_obliquely(Row<Lane>& row, int lanes) {
     const Lane* __restrict height = row.height;
-    Lane* __restrict dark = row.dark;
+    Lane* __restrict shaded = row.shaded;
     Shadow* __restrict line = strip_.line;                   // of what stands two rows upwind and farther
     Lane* __restrict second = strip_.upwind[strip_.second];  // this row will take its place
     strip_.second = 1 - strip_.second;
@@ -49,7 +49,7 @@ class ShadowLine {
       const Lane below_second = static_cast<Lane>((second[i] > second_clear ? second[i] : second_clear) - second_clear);
       const Lane shaded_below = below_next > below_second ? below_next : below_second;
       const Shadow top = static_cast<Shadow>(height[i] << kernels::fixed_point_bits);
-      dark[i] =
+      shaded[i] =
           static_cast<Lane>((top < line[i] ? all_ones : Lane{0}) | (height[i] < shaded_below ? all_ones : Lane{0}));
       const Shadow next_top = static_cast<Shadow>(next[i] << kernels::fixed_point_bits);
       const Shadow next_line = static_cast<Shadow>((next_top > fall ? next_top : fall) - fall);

@@ -46,7 +46,7 @@ template <typename Lane>
 /// Places by which the row above is shifted to the left: the cell above place p stands in place p - skew_step. The
 /// edge of the torus is left out.
 inline int skew_step(const PlaneLayout& layout, int y) {
-  return y + 1 < layout.length ? layout.skew(y + 1) - layout.skew(y) : 0;
+  return y + 1 < layout.length ? layout.shift(y + 1) - layout.shift(y) : 0;
 }
 
 /// Two neighbouring lanes read as one word of twice the width, so that edges within a row need no shuffles.
@@ -112,15 +112,15 @@ class Slider {
     }
   }
 
-  void row_seam(const SlideTile& below) const {
+  void row_border(const SlideTile& below) const {
     above_tile(below, along_even);
     if (!plan_.diagonals) return;
     above_tile(below, rising_even);
     above_tile(below, falling_even);
   }
 
-  /// What is left of the column seams of skewed planes: diagonals over the torus edge, whose upper cells may belong to
-  /// any other seam.
+  /// What is left of the column borders of skewed planes: diagonals over the torus edge, whose upper cells may belong
+  /// to any other border.
   void corners() const {
     const PlaneLayout& layout = plan_.layout;
     const int top = layout.length - 1;
@@ -201,7 +201,7 @@ class Slider {
   /// The place in row 0 that lies above a block's column of the last row.
   int place_over_torus_edge(int block, int column) const {
     const PlaneLayout& layout = plan_.layout;
-    return layout.wrapped(block * layout.block_columns + column + layout.skew(layout.length - 1) - layout.skew(0));
+    return layout.wrapped(block * layout.block_columns + column + layout.shift(layout.length - 1) - layout.shift(0));
   }
 
   void run(std::size_t a, std::size_t b, int lanes, bool diagonal) const {

@@ -2,9 +2,9 @@
 // they come down.
 
 template <typename Lane>
-class Conveyor {
+class TransportPass {
  public:
-  Conveyor(const SweepPlan<Lane>& plan, Strip<Lane>& strip)
+  TransportPass(const SweepPlan<Lane>& plan, Strip<Lane>& strip)
       : plan_(plan),
         strip_(strip),
         lanes_((strip.lines + 63) / 64 * 64),
@@ -16,7 +16,7 @@ class Conveyor {
     std::memset(polls_, 0, sizeof polls_);
   }
 
-  void convey() {
+  void transport_pass() {
     strip_.counts = SweepCounters{};
     strip_.last_arrival = -1;
     std::memset(strip_.line, 0, sizeof strip_.line);
@@ -31,7 +31,7 @@ class Conveyor {
       if (plan_.open) cross_open_edges(y);
       shadow_.cast(row_, lanes_);
       decide(y, static_cast<Lane>(row_in_block));
-      if (strip_.counts.crowded) return;
+      if (strip_.counts.overflow) return;
       write_row();
       if (plan_.lifted) write_lifted();
       walk_.go_on();
@@ -41,7 +41,7 @@ class Conveyor {
     if (plan_.open) flight_.drop_all(plan_.layout.length);
   }
 
-  void carry() {
+  void wrap_pass() {
     if (strip_.last_arrival < plan_.layout.length) return;
     walk_.start(plan_.layout.length);
     flight_.round_hops(plan_.layout.length);
@@ -50,9 +50,9 @@ class Conveyor {
     for (std::int64_t flown = plan_.layout.length; flown <= strip_.last_arrival; ++flown) {
       read_row(flown);
       shadow_.cast(row_, lanes_);
-      if (flown > last_free_row) std::memset(row_.dark, 0xff, sizeof row_.dark);
+      if (flown > last_free_row) std::memset(row_.shaded, 0xff, sizeof row_.shaded);
       decide(flown, 0);
-      if (strip_.counts.crowded) return;
+      if (strip_.counts.overflow) return;
       add_row();
       walk_.go_on();
     }
@@ -82,7 +82,7 @@ class Conveyor {
         static_cast<std::size_t>(strip_.next_block) * static_cast<std::size_t>(plan_.layout.length) +
         static_cast<std::size_t>(walk_.y());
     // The last lanes stand in the next strip's places.
-    const Lane* beyond = plan_.before_firsts + row * first_places + own + walk_.lead() - strip_.lines;
+    const Lane* beyond = plan_.before_ghosts + row * ghost_places + own + walk_.offset() - strip_.lines;
     for (int lane = own; lane < strip_.lines; ++lane) row_.height[lane] = beyond[lane - own];
   }
 
@@ -100,21 +100,21 @@ class Conveyor {
     walk_.for_runs(own_lanes(), [&](int lane, std::size_t cell, int count, int room) {
       copy_lanes(plan_.after + cell, height + lane, count, strip_lines - lane, room);
     });
-    if (strip_.overhang) keep_overhang();
+    if (strip_.halo) keep_halo();
     if (most_landed_ > strip_.counts.most_landed) strip_.counts.most_landed = most_landed_;
   }
 
   /// Lanes that stand in the strip's own places, or all where nothing is handed over.
   int own_lanes() const {
-    if (!strip_.overhang) return strip_.lines;
-    return strip_.lines > walk_.lead() ? strip_.lines - walk_.lead() : 0;
+    if (!strip_.halo) return strip_.lines;
+    return strip_.lines > walk_.offset() ? strip_.lines - walk_.offset() : 0;
   }
 
-  void keep_overhang() {
-    Overhang<Lane>& overhang = strip_.overhang[walk_.y()];
-    overhang.lead = static_cast<Lane>(walk_.lead());
+  void keep_halo() {
+    Halo<Lane>& halo = strip_.halo[walk_.y()];
+    halo.offset = static_cast<Lane>(walk_.offset());
     const int own = own_lanes();
-    for (int lane = own; lane < strip_.lines; ++lane) overhang.heights[lane - own] = row_.height[lane];
+    for (int lane = own; lane < strip_.lines; ++lane) halo.heights[lane - own] = row_.height[lane];
   }
 
   /// Which cells of the row have given a slab, for those who want to know.
@@ -191,7 +191,7 @@ class Conveyor {
     draws_.fill_landing(row_);
     const Lane most = lift_and_land(arrivals, row_in_block);
     if (sizeof(Lane) == 1 && most > narrow_arrivals) {
-      strip_.counts.crowded = true;
+      strip_.counts.overflow = true;
       return;
     }
     most_landed_ = most > 0 ? 1 : 0;
@@ -214,15 +214,15 @@ class Conveyor {
     const Lane dark_holds = plan_.lift_in_shadow ? Lane{0} : all_ones;
     const Lane* __restrict height = row_.height;
     const Lane* __restrict bedrock = row_.bedrock;
-    const Lane* __restrict dark = row_.dark;
-    Lane* __restrict held = row_.held;
+    const Lane* __restrict shaded = row_.shaded;
+    Lane* __restrict no_lift = row_.no_lift;
     Lane* __restrict threshold = row_.threshold;
-    Lane* __restrict sure = row_.sure;
+    Lane* __restrict always_deposit = row_.always_deposit;
     ERG_EACH(i, lanes_) {
       const Lane sand = height[i] != bedrock[i] ? all_ones : Lane{0};
-      held[i] = static_cast<Lane>(static_cast<Lane>(~sand) | (dark[i] & dark_holds));
+      no_lift[i] = static_cast<Lane>(static_cast<Lane>(~sand) | (shaded[i] & dark_holds));
       threshold[i] = sand ? sand_limit : bare_limit;
-      sure[i] = static_cast<Lane>(dark[i] | (sand ? sand_sure : bare_sure));
+      always_deposit[i] = static_cast<Lane>(shaded[i] | (sand ? sand_sure : bare_sure));
     }
     if (plan_.cover) judge_cover();
   }
@@ -231,13 +231,13 @@ class Conveyor {
     draws_.fill(row_.random, draw_key(row_.word, Draw::cover));
     const std::uint8_t* __restrict cover = row_.cover;
     const Lane* __restrict random = row_.random;
-    Lane* __restrict held = row_.held;
+    Lane* __restrict no_lift = row_.no_lift;
     Lane* __restrict threshold = row_.threshold;
-    Lane* __restrict sure = row_.sure;
+    Lane* __restrict always_deposit = row_.always_deposit;
     ERG_EACH(i, lanes_) {
       const Lane closed = cover[i] == 255 ? all_ones : Lane{0};
-      held[i] = static_cast<Lane>(held[i] | closed | (random[i] < cover[i] ? all_ones : Lane{0}));
-      sure[i] = static_cast<Lane>(sure[i] | closed);
+      no_lift[i] = static_cast<Lane>(no_lift[i] | closed | (random[i] < cover[i] ? all_ones : Lane{0}));
+      always_deposit[i] = static_cast<Lane>(always_deposit[i] | closed);
       // covered_chance of a chance below 256 stays below 256 while the cover is below 255.
       const std::uint16_t chance = threshold[i];
       threshold[i] = static_cast<Lane>(
@@ -248,9 +248,9 @@ class Conveyor {
   /// Lifts from polled lanes and lands the first slab of each arrival; returns the most arrivals at one lane.
   Lane lift_and_land(const Lane* __restrict arrivals, Lane row_in_block) {
     const Lane* __restrict random = row_.random;
-    const Lane* __restrict held = row_.held;
+    const Lane* __restrict no_lift = row_.no_lift;
     const Lane* __restrict threshold = row_.threshold;
-    const Lane* __restrict sure = row_.sure;
+    const Lane* __restrict always_deposit = row_.always_deposit;
     const Lane* __restrict target = strip_.target;
     Lane* __restrict lifted = row_.lifted;
     Lane* __restrict landed = row_.landed;
@@ -260,8 +260,8 @@ class Conveyor {
     ERG_EACH(i, lanes_) {
       const Lane arriving = arrivals[i];
       const Lane polled = target[i] == row_in_block ? all_ones : Lane{0};
-      const Lane lift = static_cast<Lane>(polled & static_cast<Lane>(~held[i]) & 1);
-      const Lane stays = static_cast<Lane>((random[i] < threshold[i] ? all_ones : Lane{0}) | sure[i]);
+      const Lane lift = static_cast<Lane>(polled & static_cast<Lane>(~no_lift[i]) & 1);
+      const Lane stays = static_cast<Lane>((random[i] < threshold[i] ? all_ones : Lane{0}) | always_deposit[i]);
       const Lane land = static_cast<Lane>((arriving != 0 ? all_ones : Lane{0}) & stays & 1);
       const Lane leave = static_cast<Lane>(arriving - land + lift);
       lifted[i] = lift;
@@ -279,11 +279,11 @@ class Conveyor {
     draws_.template fill_next<Draw::second_landing>(row_);
     const Lane* __restrict random = row_.random;
     const Lane* __restrict threshold = row_.threshold;
-    const Lane* __restrict sure = row_.sure;
+    const Lane* __restrict always_deposit = row_.always_deposit;
     Lane* __restrict landed = row_.landed;
     Lane* __restrict leaving = row_.leaving;
     ERG_EACH(i, lanes_) {
-      const Lane stays = static_cast<Lane>((random[i] < threshold[i] ? all_ones : Lane{0}) | sure[i]);
+      const Lane stays = static_cast<Lane>((random[i] < threshold[i] ? all_ones : Lane{0}) | always_deposit[i]);
       const Lane land = static_cast<Lane>((arrivals[i] > 1 ? all_ones : Lane{0}) & stays & 1);
       landed[i] = static_cast<Lane>(landed[i] + land);
       leaving[i] = static_cast<Lane>(leaving[i] - land);
@@ -307,7 +307,7 @@ class Conveyor {
     for (std::uint32_t slab = 2; slab < arriving; ++slab) {
       const std::uint32_t key = draw_key(row_.word, static_cast<std::uint32_t>(Draw::first_landing) + slab);
       const std::uint32_t byte = line_byte(key, static_cast<std::uint32_t>(strip_.first + lane));
-      landed += (row_.sure[lane] != 0 || byte < row_.threshold[lane]) ? 1 : 0;
+      landed += (row_.always_deposit[lane] != 0 || byte < row_.threshold[lane]) ? 1 : 0;
     }
     row_.leaving[lane] = static_cast<Lane>(row_.leaving[lane] + before - landed);
     row_.landed[lane] = static_cast<Lane>(landed);
@@ -333,7 +333,7 @@ class Conveyor {
     const std::int64_t landed = row_.landed[lane] + row_.leaving[lane] + flight_.drop(lane, flown);
     row_.leaving[lane] = 0;
     if (sizeof(Lane) == 1 && landed > narrow_arrivals) {
-      strip_.counts.crowded = true;
+      strip_.counts.overflow = true;
       return;
     }
     row_.landed[lane] = static_cast<Lane>(landed);

@@ -1,12 +1,13 @@
-// Part of sweep_kernels.inl: the seams between blocks of columns. Each block keeps its outermost columns aside, packed
-// together; the seam is slid on such copies, and each thread writes the columns of its own blocks. Were one thread to
-// write both sides in their places, it would take a cache line a row from the other, which would take it back.
+// Part of sweep_kernels.inl: the borders between blocks of columns. Each block keeps its outermost columns aside,
+// packed together; the border is slid on such copies, and each thread writes the columns of its own blocks. Were one
+// thread to write both sides in their places, it would take a cache line a row from the other, which would take it
+// back.
 
-/// Outermost columns that a seam may change, on each side: where rows are skewed against each other a diagonal edge
+/// Outermost columns that a border may change, on each side: where rows are skewed against each other a diagonal edge
 /// reaches two columns deep.
 template <typename Lane>
-int seam_depth(const SlidePlan<Lane>& plan) {
-  return plan.diagonals && plan.layout.lean != 0 ? 2 : 1;
+int border_depth(const SlidePlan<Lane>& plan) {
+  return plan.diagonals && plan.layout.skew != 0 ? 2 : 1;
 }
 
 /// Copies a block's outermost columns to where they are kept.
@@ -14,7 +15,7 @@ template <typename Lane>
 void keep_edges(const SlidePlan<Lane>& plan, int block) {
   const PlaneLayout& layout = plan.layout;
   const std::size_t last = static_cast<std::size_t>(layout.columns_of(block) - 1);
-  const int depth = seam_depth(plan);
+  const int depth = border_depth(plan);
   Lane* const edges[4] = {plan.edge_column(block, 0), plan.edge_column(block, 1), plan.edge_column(block, 2),
                           plan.edge_column(block, 3)};
   for (int y = 0; y < layout.length; ++y) {
@@ -29,36 +30,36 @@ void keep_edges(const SlidePlan<Lane>& plan, int block) {
 
 /// Copies the first places of some of a block's rows to where they are kept for the strip before the block.
 template <typename Lane>
-void keep_firsts(const SlidePlan<Lane>& plan, int block, int first_row, int end_row) {
+void keep_ghosts(const SlidePlan<Lane>& plan, int block, int first_row, int end_row) {
   const PlaneLayout layout = plan.layout;
-  Lane* kept = plan.firsts + static_cast<std::size_t>(block) * static_cast<std::size_t>(layout.length) * first_places;
+  Lane* kept = plan.ghosts + static_cast<std::size_t>(block) * static_cast<std::size_t>(layout.length) * ghost_places;
   const Lane* row = plan.heights + layout.at(block, 0, first_row);
   for (int y = first_row; y < end_row; ++y, row += layout.pitch) {
     // A block is wider than that, and its margin follows where the last one is not.
-    std::memcpy(kept + first_places * y, row, first_places * sizeof(Lane));
+    std::memcpy(kept + ghost_places * y, row, ghost_places * sizeof(Lane));
   }
 }
 
-/// The seam between two blocks.
+/// The border between two blocks.
 template <typename Lane>
 class ColumnSeam {
  public:
   ColumnSeam(const SlidePlan<Lane>& plan, int left, int right)
-      : plan_(plan), left_(left), right_(right), depth_(seam_depth(plan)) {}
+      : plan_(plan), left_(left), right_(right), depth_(border_depth(plan)) {}
 
-  /// Each class of edges that cross the seam, row after row. Where rows are skewed against each other those along the
+  /// Each class of edges that cross the border, row after row. Where rows are skewed against each other those along the
   /// wind do so too.
   void slide(bool left_mine, bool right_mine) {
     const PlaneLayout layout = plan_.layout;
     for (int column = 2 - depth_; column < 2 + depth_; ++column) fetch(column);
     edges({left_outer, 0}, {right_outer, 0}, layout.length);
     const int rows = plan_.open ? layout.length - 1 : layout.length;
-    for (int y = 0; y < rows && layout.lean != 0; ++y) {
+    for (int y = 0; y < rows && layout.skew != 0; ++y) {
       if (skew_step(layout, y) != 0) edge({right_outer, y}, {left_outer, y + 1});
     }
     if (plan_.diagonals && layout.length > 1) {
       // On skewed planes those over the torus edge come later (Slider::corners).
-      const int own_rows = layout.lean == 0 ? rows : layout.length - 1;
+      const int own_rows = layout.skew == 0 ? rows : layout.length - 1;
       for (const bool rising : {true, false}) {
         for (int y = 0; y < own_rows; ++y) diagonals(y, rising);
       }
@@ -79,7 +80,7 @@ class ColumnSeam {
 
   Lane* at(Layer layer, Cell cell) const {
     const int column = 4 * layer + cell.column;
-    return plan_.seam + static_cast<std::size_t>(column) * static_cast<std::size_t>(plan_.layout.length) + cell.row;
+    return plan_.border + static_cast<std::size_t>(column) * static_cast<std::size_t>(plan_.layout.length) + cell.row;
   }
 
   /// The same of a layer that may not be there: null.
