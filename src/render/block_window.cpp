@@ -10,32 +10,56 @@ int inside(int index, int count, bool periodic) {
   return periodic ? wrap(index, count) : std::clamp(index, 0, count - 1);
 }
 
-// The column of the grid for each column of cells of the window.
-std::vector<int> columns_of(const BlockWindow& window, int count, bool periodic) {
-  std::vector<int> columns(static_cast<std::size_t>(window.blocks.nx) * static_cast<std::size_t>(window.block));
-  for (std::size_t column = 0; column < columns.size(); ++column) {
-    columns[column] = inside(window.left + static_cast<int>(column), count, periodic);
-  }
-  return columns;
-}
+/// The rows of a grid as the window cuts them out, side by side whatever edge it reaches over.
+template <typename Value>
+class WindowRows {
+ public:
+  WindowRows(const Grid<Value>& grid, const BlockWindow& window, bool periodic)
+      : grid_(grid),
+        left_(window.left),
+        low_(window.low),
+        count_(window.blocks.nx * window.block),
+        periodic_(periodic),
+        within_(left_ >= 0 && left_ + count_ <= grid.nx()),
+        row_(within_ ? 0 : static_cast<std::size_t>(count_)) {}
 
-// Adds a row of cells to the sums of its blocks.
-template <typename Value, typename Sum>
-void add_row(const Value* row, const std::vector<int>& columns, int block, std::vector<Sum>& sums) {
-  std::size_t column = 0;
-  for (Sum& sum : sums) {
-    for (int step = 0; step < block; ++step, ++column) sum += static_cast<Sum>(row[columns[column]]);
+  /// As many cells as the window has columns; good until the next call.
+  const Value* row(int index) {
+    const auto cells = grid_.row(inside(low_ + index, grid_.ny(), periodic_));
+    if (within_) return cells.data() + left_;
+    for (int column = 0; column < count_; ++column) {
+      row_[static_cast<std::size_t>(column)] =
+          cells[static_cast<std::size_t>(inside(left_ + column, grid_.nx(), periodic_))];
+    }
+    return row_.data();
   }
-}
 
-// The rows of a block, added up.
+ private:
+  const Grid<Value>& grid_;
+  int left_, low_, count_;
+  bool periodic_;
+  bool within_;
+  std::vector<Value> row_;
+};
+
+// The cells of each block of a row of blocks, added up.
 template <typename Sum, typename Value>
-void sum_rows(const Grid<Value>& grid, const BlockWindow& window, int row, bool periodic,
-              const std::vector<int>& columns, std::vector<Sum>& sums) {
+void sum_blocks(WindowRows<Value>& rows, int row, int block, std::vector<Sum>& sums) {
   std::fill(sums.begin(), sums.end(), Sum{});
-  for (int step = 0; step < window.block; ++step) {
-    const int y = inside(window.low + row * window.block + step, grid.ny(), periodic);
-    add_row(grid.row(y).data(), columns, window.block, sums);
+  for (int step = 0; step < block; ++step) {
+    const Value* from = rows.row(row * block + step);
+    for (Sum& sum : sums) {
+      for (int column = 0; column < block; ++column) sum += static_cast<Sum>(*from++);
+    }
+  }
+}
+
+// Counts of one cell, in doubles that hold them exactly, so that many are done side by side; the same bits as by sums.
+void read_cells(const std::int32_t* bedrock, const std::int32_t* mobile, int count, double unit, float* to) {
+  for (int column = 0; column < count; ++column) {
+    const auto thickness = static_cast<double>(mobile[column]);
+    to[2 * column] = static_cast<float>(unit * (static_cast<double>(bedrock[column]) + thickness));
+    to[2 * column + 1] = static_cast<float>(unit * thickness);
   }
 }
 
@@ -48,31 +72,38 @@ BlockWindow whole_window(Extent extent, int largest) {
 
 void read_terrain(const Terrain& terrain, const BlockWindow& window, std::vector<float>& values) {
   const bool periodic = terrain.boundary() == Boundary::torus;
-  const std::vector<int> columns = columns_of(window, terrain.nx(), periodic);
+  WindowRows<std::int32_t> bedrock(terrain.bedrock(), window, periodic);
+  WindowRows<std::int32_t> mobile(terrain.mobile(), window, periodic);
   const double unit = terrain.quantum() / (static_cast<double>(window.block) * window.block);
-  std::vector<std::int64_t> bedrock(static_cast<std::size_t>(window.blocks.nx)), mobile(bedrock.size());
   values.resize(2 * window.blocks.cells());
   float* to = values.data();
+  if (window.block == 1) {
+    for (int row = 0; row < window.blocks.ny; ++row, to += 2 * window.blocks.nx) {
+      read_cells(bedrock.row(row), mobile.row(row), window.blocks.nx, unit, to);
+    }
+    return;
+  }
+  std::vector<std::int64_t> rock(static_cast<std::size_t>(window.blocks.nx)), sand(rock.size());
   for (int row = 0; row < window.blocks.ny; ++row) {
-    sum_rows(terrain.bedrock(), window, row, periodic, columns, bedrock);
-    sum_rows(terrain.mobile(), window, row, periodic, columns, mobile);
-    for (std::size_t column = 0; column < bedrock.size(); ++column) {
-      *to++ = static_cast<float>(unit * static_cast<double>(bedrock[column] + mobile[column]));
-      *to++ = static_cast<float>(unit * static_cast<double>(mobile[column]));
+    sum_blocks(bedrock, row, window.block, rock);
+    sum_blocks(mobile, row, window.block, sand);
+    for (std::size_t column = 0; column < rock.size(); ++column) {
+      *to++ = static_cast<float>(unit * static_cast<double>(rock[column] + sand[column]));
+      *to++ = static_cast<float>(unit * static_cast<double>(sand[column]));
     }
   }
 }
 
 std::int64_t read_values(const Grid<float>& field, bool periodic, const BlockWindow& window,
                          std::vector<float>& values) {
-  const std::vector<int> columns = columns_of(window, field.nx(), periodic);
+  WindowRows<float> rows(field, window, periodic);
   std::vector<double> sums(static_cast<std::size_t>(window.blocks.nx));
   values.resize(window.blocks.cells());
   const double share = 1.0 / (static_cast<double>(window.block) * window.block);
   std::int64_t broken = 0;
   float* to = values.data();
   for (int row = 0; row < window.blocks.ny; ++row) {
-    sum_rows(field, window, row, periodic, columns, sums);
+    sum_blocks(rows, row, window.block, sums);
     for (const double sum : sums) {
       const bool good = std::isfinite(sum);
       if (!good) ++broken;

@@ -20,6 +20,8 @@ struct SurfaceWorkshop {
   ShaderProgram rows, planes, smooth, raw, shape, light;
   GlObject no_vertices;
   MapTarget row_sums, fits, first_surface;
+  /// What was read of the cells, until textures have it; kept, for fresh memory costs more than reading.
+  std::vector<float> cells;
 };
 
 /// What the surface is made of.

@@ -14,9 +14,8 @@ void TerrainSheet::update(SurfaceWorkshop& workshop, const SheetPlace& place, co
   cell_side_ = terrain.cell_size() * place.window.block;
   std::vector<TexelRect> changed;
   if (read) {
-    std::vector<float> values;
-    read_terrain(terrain, place.window, values);
-    changed = cells_.update(place.window.blocks, periodic, values);
+    read_terrain(terrain, place.window, workshop.cells);
+    changed = cells_.update(place.window.blocks, periodic, workshop.cells);
     has_field_ = request.field != nullptr;
     if (has_field_) update_values(field_, *request.field, torus, "field", notes);
     has_plants_ = request.plants != nullptr;

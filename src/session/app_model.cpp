@@ -312,10 +312,14 @@ std::string AppModel::why_not_kept() const {
 }
 
 std::string AppModel::rescue() {
-  if (!runner_->snapshot()->has_runs()) return "there was nothing to save";
+  const std::shared_ptr<const Snapshot> now = runner_->snapshot();
+  if (!now->has_runs()) {
+    return runner_->commands_given() > now->commands_done ? "the terrain was still being made; nothing was saved"
+                                                          : "there was nothing to save";
+  }
   if (session_ == nullptr) return "the runs are lost: " + why_not_kept();
   try {
-    session_->save(*runner_->snapshot());
+    session_->save(*now);
   } catch (const std::exception& error) {
     return "the runs could not be saved: " + problem_of(error);
   }

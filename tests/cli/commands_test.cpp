@@ -1,6 +1,8 @@
 // The commands that run nothing: what they print is derived from the declarations.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "program.h"
 
 namespace erg::test {
@@ -38,6 +40,16 @@ TEST(Commands, ManualPagesAreWhatTheProgramPrints) {
     const std::string committed = read_bytes(std::string(ERG_SOURCE_DIR) + "/docs/models/" + key + ".md");
     EXPECT_NE(committed.find(page.output), std::string::npos)
         << "docs/models/" << key << ".md is out of date: run `erg model " << key << " --markdown`";
+  }
+}
+
+TEST(Commands, AStartLoadsNoRasteriserAndNoCompiler) {
+  const ScratchFolder folder;
+  // The loader lists what it would load, and runs nothing.
+  const Ended listed = run_erg(folder, {"--version"}, [] { ::setenv("LD_TRACE_LOADED_OBJECTS", "1", 1); });
+  EXPECT_NE(listed.output.find("libc.so"), std::string::npos) << listed.output;
+  for (const char* const large : {"OSMesa", "LLVM", "_dri"}) {
+    EXPECT_EQ(listed.output.find(large), std::string::npos) << listed.output;
   }
 }
 
@@ -121,6 +133,16 @@ TEST(Commands, BenchWritesARowForEachExecutor) {
   }
   EXPECT_EQ(cpu_rows, 2);
   EXPECT_EQ(serial_rows, 4) << "straight wind, swinging wind, oblique wind, obstacles";
+}
+
+TEST(Commands, BenchSplitsAFrameIntoItsParts) {
+  const ScratchFolder folder;
+  const Ended bench = run_erg(folder, {"bench", "--frames", "--grid", "64"});
+  ASSERT_EQ(bench.exit_code, 0) << bench.errors;
+  for (const std::string part : {"settling", "copying", "ranges", "reading", "comparing", "uploading", "whole"}) {
+    EXPECT_NE(bench.output.find(part), std::string::npos) << bench.output;
+  }
+  EXPECT_NE(bench.output.find("\n64  "), std::string::npos) << bench.output;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ analysis::StarArms arms_under_four_winds(double bearing, const std::string& neig
   sim::Config config =
       test::configured("werner", {"grid.nx=256", "grid.ny=256", "scene.kind=cone", "scene.sand=0", "scene.height=40",
                                   "scene.radius=60", "parameters.neighbours=" + neighbours, "run.executor=cpu"});
-  WindInterval season = config.wind.intervals.front();
+  forcing::WindInterval season = config.wind.intervals.front();
   season.steps = 20;
   config.wind.intervals.clear();
   for (int wind = 0; wind < 4; ++wind) {

@@ -198,6 +198,10 @@ TEST(Session, WhereNoneCanBeKeptIsSaid) {
   AppModel homeless({{}, {}, {}});
   EXPECT_NE(homeless.why_not_kept().find("XDG_STATE_HOME"), std::string::npos);
   EXPECT_EQ(homeless.rescue(), "there was nothing to save");
+  homeless.setup().set("grid", "nx", std::int64_t{2048});
+  homeless.setup().set("grid", "ny", std::int64_t{2048});
+  homeless.create();
+  EXPECT_EQ(homeless.rescue(), "the terrain was still being made; nothing was saved");
   homeless.setup().replace(titled(1));
   ASSERT_TRUE(homeless.create());
   homeless.runner().wait_for_commands();

@@ -1,7 +1,11 @@
 // The wind's dial and its typed bearing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "in_a_column.h"
+#include "picture_of_gui.h"
 #include "ui/widgets/wind_dial.h"
 
 namespace erg::test {
@@ -67,6 +71,29 @@ TEST(WindDial, ABearingIsNotRoundedByBeingLookedAt) {
   dial.hand.click("bearing");
   dial.hand.key(ImGuiKey_Enter);
   EXPECT_EQ(dial.bearing, 123.456789);
+}
+
+/// How many pixels of the rose have the colour of what is filled.
+std::ptrdiff_t filled(const std::array<double, 4>& blown, const std::array<double, 4>& coming) {
+  UiHarness hand = in_a_column([&] { ui::draw_wind_rose("rose", blown, coming, 140); });
+  hand.frames(2);
+  const ImVec4& accent = hand.gui().theme().accent;
+  const picture::RgbImage drawn = picture_of_gui(hand.gui(), ImGui::GetIO().DisplaySize);
+  std::ptrdiff_t count = 0;
+  for (int y = 0; y < 140; ++y) {
+    for (int x = 0; x < 140; ++x) {
+      const auto is = [&](int part, float wanted) { return std::abs(drawn.pixel(x, y)[part] - 255 * wanted) < 60; };
+      count += is(0, accent.x) && is(1, accent.y) && is(2, accent.z);
+    }
+  }
+  return count;
+}
+
+TEST(WindRose, WhatHasBlownIsSeenBesideAllThatIsToCome) {
+  const std::ptrdiff_t none = filled({}, {900, 0, 0, 0});
+  const std::ptrdiff_t alone = filled({1, 0, 0, 0}, {});
+  EXPECT_GT(alone, none + 200);
+  EXPECT_GT(filled({1, 0, 0, 0}, {0, 0, 900, 0}), none + (alone - none) * 9 / 10) << "a long run has just begun";
 }
 
 }  // namespace

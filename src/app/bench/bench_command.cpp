@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/bench.h"
+#include "app/bench/frame_bench.h"
 #include "app/bench/grain_bench.h"
 #include "app/bench/render_bench.h"
 #include "app/cli/known_words.h"
@@ -103,6 +104,23 @@ std::string render_text(const std::vector<int>& grids, const std::string& contex
          renderer + ".\n";
 }
 
+/// What frames take as a table.
+std::string frames_text(const std::vector<int>& grids, const std::string& context) {
+  std::string renderer;
+  const std::vector<FrameBenchRow> rows = run_frame_bench(grids, context, renderer);
+  TextTable table;
+  table.heading = {"grid", "settling", "copying", "ranges", "reading", "comparing", "uploading", "whole"};
+  for (const FrameBenchRow& row : rows) {
+    table.rows.push_back({std::to_string(row.grid)});
+    for (const double seconds :
+         {row.settling, row.copying, row.ranges, row.reading, row.comparing, row.uploading, row.whole()}) {
+      table.rows.back().push_back(fixed_text(1000 * seconds, 1));
+    }
+  }
+  return table.aligned() + "\nMilliseconds of the processor from a step to the screen, without drawing, into " +
+         renderer + ".\n";
+}
+
 /// Why this executor cannot be measured here; empty where it can.
 std::string why_not(const std::string& executor) {
   const auto probe = sim::make_executor({.name = executor, .threads = 1});
@@ -117,6 +135,7 @@ void add_bench_command(CLI::App& program, Action& action) {
     std::string bearing = "270";
     bool json = false;
     bool render = false;
+    bool frames = false;
     std::string context = "auto";
   };
   const auto options = std::make_shared<Options>();
@@ -140,18 +159,27 @@ void add_bench_command(CLI::App& program, Action& action) {
           ->add_flag("--render", options->render,
                      "Measure pictures instead, of --grid or else of 256, 1024 and 4096 cells a side")
           ->excludes(json);
-  command->add_option("--context", options->context, "What draws with --render: auto, egl, osmesa")
-      ->capture_default_str()
-      ->check(one_of(render::offscreen_kinds()))
-      ->needs(render);
+  command
+      ->add_flag("--frames", options->frames,
+                 "Measure what brings a step to the screen instead, without drawing, on the same grids as --render")
+      ->excludes(json)
+      ->excludes(render);
+  const CLI::Option* const context =
+      command->add_option("--context", options->context, "What draws with --render and --frames: auto, egl, osmesa")
+          ->capture_default_str()
+          ->check(one_of(render::offscreen_kinds()));
   add_instructions_option(*command);
-  command->callback([&action, options, grid] {
+  command->callback([&action, options, grid, context] {
     const bool one_grid = grid->count() > 0;
-    action = [options, one_grid] {
-      if (options->render) {
+    const bool draws = options->render || options->frames;
+    if (context->count() > 0 && !draws) {
+      throw InputError("--context", "says what draws, and nothing is drawn", "add --render or --frames");
+    }
+    action = [options, one_grid, draws] {
+      if (draws) {
         const std::vector<int> grids =
             one_grid ? std::vector<int>{options->bench.grid} : std::vector<int>{256, 1024, 4096};
-        std::cout << render_text(grids, options->context);
+        std::cout << (options->render ? render_text : frames_text)(grids, options->context);
         return exit_done;
       }
       if (const std::string why = why_not(options->bench.executor); !why.empty()) {

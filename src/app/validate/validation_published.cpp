@@ -39,7 +39,7 @@ std::optional<Config> with_natural_spread(const Config& config) {
   const double spread = Config(config.model).wind.intervals.front().spread;
   if (spread == 0) return std::nullopt;
   Config swinging = config;
-  for (WindInterval& season : swinging.wind.intervals) season.spread = spread;
+  for (forcing::WindInterval& season : swinging.wind.intervals) season.spread = spread;
   swinging.title += ", spread " + fixed_text(spread, 0);
   return swinging;
 }

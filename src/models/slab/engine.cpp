@@ -260,8 +260,13 @@ void SlabEngine::keep_firsts(const SweepKernels<Lane>& kernels, const SlidePlan<
   for (int block = first; block < end; ++block) kernels.keep_firsts(plan, block, 0, plan.layout.length);
 }
 
-/// Members that carry out sub-sweeps.
-int SlabEngine::sweepers() const { return std::clamp(frame_.width / options_.lines_a_thread, 1, pool_.size()); }
+/// Members that carry out sub-sweeps: no more than processors, for others would only keep these waiting at each
+/// meeting. Who asks for a thread a line, as tests do, has them all.
+int SlabEngine::sweepers() const {
+  const bool all = options_.lines_a_thread == 1;
+  const int members = all ? pool_.size() : std::min(pool_.size(), processors_);
+  return std::clamp(frame_.width / options_.lines_a_thread, 1, members);
+}
 
 /// The part [first, end) of `count` things that falls to one of `members`.
 std::pair<int, int> SlabEngine::share(int count, int member, int members) {

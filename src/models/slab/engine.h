@@ -18,6 +18,7 @@
 #include "forcing/wind_frame.h"
 #include "models/slab/slab_step.h"
 #include "models/slab/sweep.h"
+#include "process/allowance.h"
 
 namespace erg::models {
 
@@ -138,6 +139,7 @@ class SlabEngine : public SlabSolver {
 
   const compute::ExecutorOptions options_;
   compute::ThreadPool& pool_;
+  const int processors_ = process::allowed_threads();
 
   forcing::WindFrame frame_;
   PlaneLayout layout_;

@@ -186,13 +186,13 @@ void draw_wind_rose(const char* id, std::span<const double> blown, std::span<con
   ImGui::PopID();
   draw_compass(middle, radius);
   draw_letters(middle, radius + letter / 2 + 2);
-  double most = 0;
-  for (const double share : blown) most = std::max(most, share);
-  for (const double share : coming) most = std::max(most, share);
-  if (most > 0) {
-    draw_sectors(middle, blown, most, radius * 0.94f, true);
-    draw_sectors(middle, coming, most, radius * 0.94f, false);
-  }
+  // Each to its own scale: of a long run's first seasons nothing would be seen beside all that is to come.
+  const auto draw = [&](std::span<const double> shares, bool filled) {
+    const double most = shares.empty() ? 0 : *std::ranges::max_element(shares);
+    if (most > 0) draw_sectors(middle, shares, most, radius * 0.94f, filled);
+  };
+  draw(blown, true);
+  draw(coming, false);
   if (hovered) tell_sector(middle, blown, coming, radius);
 }
 

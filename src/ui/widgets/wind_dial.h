@@ -15,7 +15,7 @@ bool wind_dial(const char* id, double& bearing, float size, double spread = 0);
 bool type_bearing(const char* id, double& bearing);
 
 /// A wind rose: shares of the time that the wind blew from equal sectors, the first around north, then clockwise.
-/// `blown` is filled, `coming` drawn as an outline; either may be empty.
+/// `blown` is filled, `coming` drawn as an outline, each to its own scale; either may be empty.
 void draw_wind_rose(const char* id, std::span<const double> blown, std::span<const double> coming, float size);
 
 }  // namespace erg::ui
