@@ -60,7 +60,7 @@ constexpr const char* ripples_conclusion = R"(
 Ripples lie across the wind and move downwind at every bearing, and they are the longer and faster the stronger the wind
 is. The index of natural sand ripples is 10 to 20. The impact angle stays while ripples grow; flights are 8, 23, 45, 62
 and 83 cm for u* .2 to .6 over a young bed (step 3) and about half as long again or more here. **Ripples do not saturate**:
-they go on growing by merging (at u* .4 they are 18 cm long at step 60 and 32 at step 200), where in nature they stop, so a
+they go on growing by merging (at u* .4 they are 19 cm long at step 60 and 32 at step 200), where in nature they stop, so a
 length belongs to a number of steps. A crest is counted where the surface climbs from a quarter of its standard deviation
 below its mean to as much above it; with half of it lengths are 10 to 16% longer and rise alike.
 )";
