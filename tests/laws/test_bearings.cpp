@@ -60,7 +60,8 @@ TEST(Bearings, SlidesAlongDiagonalsKeepWernersBarchanFromLeaning) {
   EXPECT_LT(asymmetry(round), 0.06);
   expect_horns_alike(round);
   settings.back() = "parameters.neighbours=4";
-  EXPECT_GT(asymmetry(mean_barchan("werner", models::natural_spread, 4, settings)), 0.1) << "the control: slides of print";
+  EXPECT_GT(asymmetry(mean_barchan("werner", models::natural_spread, 4, settings)), 0.1)
+      << "the control: slides of print";
 }
 
 }  // namespace
