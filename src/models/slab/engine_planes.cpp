@@ -99,7 +99,8 @@ void SlabEngine::visit_cells(const Visit& visit) {
       const int first = block * block_rows;
       const int end = std::min(frame_.length, first + block_rows);
       std::array<int, block_rows> places{};  // of the column in each row
-      for (int v = first; v < end; ++v) places[static_cast<std::size_t>(v - first)] = layout_.wrapped(-layout_.shift(v));
+      for (int v = first; v < end; ++v)
+        places[static_cast<std::size_t>(v - first)] = layout_.wrapped(-layout_.shift(v));
       for (int u = 0; u < frame_.width; ++u) {
         for (int v = first; v < end; ++v) {
           int& place = places[static_cast<std::size_t>(v - first)];

@@ -25,8 +25,8 @@ inline constexpr int narrow_arrivals = 100;
 /// the rounded drift, and one that `skew` holds back.
 inline constexpr int most_offset = 3;
 
-/// Cells of one row that stand in the places of the next strip. They are handed over after the transport pass, or two threads
-/// would write to the same piece of memory all the time.
+/// Cells of one row that stand in the places of the next strip. They are handed over after the transport pass, or two
+/// threads would write to the same piece of memory all the time.
 template <typename Lane>
 struct Halo {
   Lane offset = 0;

@@ -99,8 +99,8 @@ Monitor monitor_of_pointer(::Display* display) {
   return monitor_at(monitors_of(display), x, y);
 }
 
-/// freeglut asks for the mouse by the second input extension, which keeps the plain events from this window. (Were it to
-/// read these events, it would leak one that comes when the window has just gone.)
+/// freeglut asks for the mouse by the second input extension, which keeps the plain events from this window. (Were it
+/// to read these events, it would leak one that comes when the window has just gone.)
 void take_plain_mouse_events(::Display* display, ::Window window) {
   int count = 0;
   XIEventMask* const asked = XIGetSelectedEvents(display, window, &count);
