@@ -3,7 +3,7 @@
 #   lint   format of all files, clang-tidy
 #   debug  without optimisation: the golden hashes are the same
 #   asan   addresses, leaks, undefined behaviour: the unit tests, compiled by clang, which is quicker at it
-#   tsan   threads: the tests of the window's worker
+#   tsan   threads: the tests of the window's worker, compiled by clang too
 #   clang  a second compiler: the golden hashes are the same (`lint` reads the whole program with its warnings)
 #   test   scripts/test.sh, the release build and every test; its line "N passed, N failed" comes last
 # Without names it does all of them, whether or not one fails, and fails if one did. scripts/sanitize.sh does more.
