@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "core/random.h"
@@ -127,53 +128,54 @@ slab::Plan plan_of(i32 width, i32 rows, i32 drift, i32 phase) {
   return plan;
 }
 
-TEST(SubsetLines, WalkFromRowToRowWhereTheyAreFoundOneByOne) {
-  for (const Extent grid : {Extent{1, 1}, {5, 1}, {1, 6}, {7, 5}, {4, 13}}) {
-    const i32 width = grid.nx;
-    const i32 rows = grid.ny;
-    for (i32 drift = 0; drift <= rows; ++drift) {
-      for (i32 phase = 0; phase < rows; ++phase) {
-        slab::Plan plan = plan_of(width, rows, drift, phase);
-        for (i32 line = 0; line < width; ++line) {
-          auto walk = plan.walk_at(line, 0);
-          auto back = plan.walk_at(line, 3 * rows);
-          for (i32 row = 0; row < 3 * rows; ++row) {
-            const i32 column = wrap(line + line_offset(row, drift, phase, rows), width);
-            ASSERT_EQ(plan.cell_at(walk), row % rows * width + column) << "on, " << row;
-            ASSERT_EQ(plan.cell_of(line, row), plan.cell_at(walk)) << row;
-            ASSERT_EQ(plan.cell_at(plan.walk_at(line, row)), plan.cell_at(walk)) << row;
-            walk = plan.next_row(walk);
-            back = plan.previous_row(back);
-            const i32 from_behind = 3 * rows - 1 - row;
-            ASSERT_EQ(plan.cell_at(back), plan.cell_of(line, from_behind)) << "back, " << from_behind;
-          }
+/// Calls visit(plan, line, column) for every line that moves through such grids; column(row) is where it would be in a
+/// row if they had no sides.
+template <typename Visit>
+void for_each_line(std::initializer_list<Extent> grids, const Visit& visit) {
+  for (const Extent grid : grids) {
+    for (i32 drift = 0; drift <= grid.ny; ++drift) {
+      for (i32 phase = 0; phase < grid.ny; ++phase) {
+        slab::Plan plan = plan_of(grid.nx, grid.ny, drift, phase);
+        for (i32 line = 0; line < grid.nx; ++line) {
+          SCOPED_TRACE(testing::Message() << grid.nx << " x " << grid.ny << ", drift " << drift << ", phase " << phase);
+          visit(plan, line, [&](i32 row) { return line + line_offset(row, drift, phase, grid.ny); });
         }
       }
     }
   }
 }
 
-TEST(SubsetLines, EnterAndLeaveAnOpenGridWhereTheyMoveOverItsSide) {
-  for (const Extent grid : {Extent{1, 4}, {3, 9}, {9, 4}}) {
-    const i32 width = grid.nx;
-    const i32 rows = grid.ny;
-    for (i32 drift = 0; drift <= rows; ++drift) {
-      for (i32 phase = 0; phase < rows; ++phase) {
-        slab::Plan plan = plan_of(width, rows, drift, phase);
-        for (i32 line = 0; line < width; ++line) {
-          const auto round = [&](i32 row) { return (line + line_offset(row, drift, phase, rows)) / width; };
-          for (i32 row = 0; row < rows; ++row) {
-            i32 first = row;
-            while (first > 0 && round(first - 1) == round(row)) --first;
-            i32 end = row;
-            while (end < rows && round(end) == round(row)) ++end;
-            ASSERT_EQ(plan.entering_row(line, row), first) << row << ", " << drift << ", " << phase;
-            ASSERT_EQ(plan.leaving_row(line, row), end) << row << ", " << drift << ", " << phase;
-          }
-        }
-      }
+TEST(SubsetLines, WalkFromRowToRowWhereTheyAreFoundOneByOne) {
+  for_each_line({{1, 1}, {5, 1}, {1, 6}, {7, 5}, {4, 13}}, [](slab::Plan& plan, i32 line, const auto& column) {
+    const i32 rows = plan.given.rows;
+    auto walk = plan.walk_at(line, 0);
+    auto back = plan.walk_at(line, 3 * rows);
+    for (i32 row = 0; row < 3 * rows; ++row) {
+      const i32 cell = row % rows * plan.given.width + wrap(column(row), plan.given.width);
+      ASSERT_EQ(plan.cell_at(walk), cell) << "on, " << row;
+      ASSERT_EQ(plan.cell_of(line, row), cell) << row;
+      ASSERT_EQ(plan.cell_at(plan.walk_at(line, row)), cell) << row;
+      walk = plan.next_row(walk);
+      back = plan.previous_row(back);
+      const i32 from_behind = 3 * rows - 1 - row;
+      ASSERT_EQ(plan.cell_at(back), plan.cell_of(line, from_behind)) << "back, " << from_behind;
     }
-  }
+  });
+}
+
+TEST(SubsetLines, EnterAndLeaveAnOpenGridWhereTheyMoveOverItsSide) {
+  for_each_line({{1, 4}, {3, 9}, {9, 4}}, [](slab::Plan& plan, i32 line, const auto& column) {
+    const i32 rows = plan.given.rows;
+    const auto round = [&](i32 row) { return column(row) / plan.given.width; };
+    for (i32 row = 0; row < rows; ++row) {
+      i32 first = row;
+      while (first > 0 && round(first - 1) == round(row)) --first;
+      i32 end = row;
+      while (end < rows && round(end) == round(row)) ++end;
+      ASSERT_EQ(plan.entering_row(line, row), first) << row;
+      ASSERT_EQ(plan.leaving_row(line, row), end) << row;
+    }
+  });
 }
 
 /// A thread of the processor may fly more rows in a launch than 32 bits hold.
