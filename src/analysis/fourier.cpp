@@ -121,10 +121,9 @@ CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, Extent extent)
   return coarse;
 }
 
-CoarseSurface coarse_surface(const Terrain& terrain, Layer layer) {
+CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, int most) {
   check_whole(terrain);
-  constexpr int largest = 1024;
-  return coarse_surface(terrain, layer, {std::min(terrain.nx(), largest), std::min(terrain.ny(), largest)});
+  return coarse_surface(terrain, layer, {std::min(terrain.nx(), most), std::min(terrain.ny(), most)});
 }
 
 Spectrum2D transform(const CoarseSurface& surface, const ShareWork& share) {

@@ -27,8 +27,9 @@ struct CoarseSurface {
 /// The mean of the whole is kept exactly.
 CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, Extent blocks);
 
-/// The same with at most 1024 blocks a side: fine enough for spacing and motion of whole dunes.
-CoarseSurface coarse_surface(const Terrain& terrain, Layer layer);
+/// The same with at most `most` blocks a side: 1024 are fine enough for spacing and motion of whole dunes, fewer do for
+/// where dunes stand.
+CoarseSurface coarse_surface(const Terrain& terrain, Layer layer, int most = 1024);
 
 /// The spectrum of a surface of `nx` x values.ny() real heights. Frequency (a, b) stands at cell (a, b), a from 0 to
 /// nx / 2, negative b wrapped to the far end; that of (-a, -b) is its conjugate, so those with negative a are left out.

@@ -54,9 +54,8 @@ void MeasuredRun::observe() {
   const std::int64_t step = simulation_.step_count();
   if (!watch_migration_ || step < watch_from_) return;
   if ((last_step_ - step) % watch_every_ != 0) return;
-  const Terrain& terrain = simulation_.terrain();
-  const Extent blocks{std::min(terrain.nx(), most_blocks), std::min(terrain.ny(), most_blocks)};
-  migration_.observe(step, coarse_surface(terrain, Layer::surface, blocks), simulation_.share_work());
+  migration_.observe(step, coarse_surface(simulation_.terrain(), Layer::surface, most_blocks),
+                     simulation_.share_work());
 }
 
 RunStatistics MeasuredRun::statistics() {

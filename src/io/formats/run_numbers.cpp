@@ -56,8 +56,8 @@ const std::vector<RunNumber>& run_numbers() {
 void RunMeter::look(Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
   // Where whole dunes stand shows on coarse ground too, which is cheaper.
-  const Extent blocks{std::min(terrain.nx(), most_blocks), std::min(terrain.ny(), most_blocks)};
-  migration_.observe(simulation.step_count(), coarse_surface(terrain, Layer::surface, blocks), simulation.share_work());
+  migration_.observe(simulation.step_count(), coarse_surface(terrain, Layer::surface, most_blocks),
+                     simulation.share_work());
   last_look_ = simulation.step_count();
 }
 
