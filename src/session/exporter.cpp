@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/errors.h"
-#include "forcing/shadow.h"
 #include "io/checkpoint/checkpoint.h"
 #include "io/config/config_file.h"
 #include "io/formats/heightmap.h"
@@ -15,6 +14,7 @@
 #include "io/formats/png.h"
 #include "io/formats/table.h"
 #include "io/formats/vti.h"
+#include "kernels/shadow.h"
 #include "sim/memory.h"
 
 namespace erg::session {
@@ -36,7 +36,7 @@ void write_map(const fs::path& path, const RunSnapshot& run, const Provenance& s
 
 void write_volume(const fs::path& path, const RunSnapshot& run, const Provenance& source) {
   const double fall = find_model(run.config->model).make(run.config->parameters)->shadow_fall(run.terrain->cell_size());
-  const Grid<std::uint8_t> shadow = forcing::shadow_map(*run.terrain, run.last_wind.bearing, fall);
+  const Grid<std::uint8_t> shadow = kernels::shadow_map(*run.terrain, run.last_wind.bearing, fall);
   io::write_vti(path, *run.terrain, &shadow, source, {run.flux.get(), run.flux ? std::size_t{1} : 0});
 }
 

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <utility>
 
-#include "forcing/shadow.h"
+#include "kernels/shadow.h"
 
 namespace erg::session {
 
@@ -155,7 +155,7 @@ void Publisher::look_at(Lane& lane, Simulation& simulation) {
   if (!flux_wanted_) view.flux = nullptr;
   if (flux_wanted_ && view.flux == nullptr) view.flux = std::make_shared<const Field>(simulation.flux()->mean());
   if (shadow_wanted_ && view.shadow == nullptr) {
-    view.shadow = std::make_shared<const Field>(forcing::shadow_field(
+    view.shadow = std::make_shared<const Field>(kernels::shadow_field(
         *view.terrain, simulation.last_wind().bearing, simulation.model().shadow_fall(view.terrain->cell_size())));
   }
   lane.stale = lane.config_stale = lane.series_stale = false;

@@ -1,15 +1,15 @@
 // How far upwind lines begin to look for shadow: far enough, and no farther than need be.
-#include "forcing/shadow_reach.h"
+#include "kernels/shadow_reach.h"
 
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "forcing/shadow.h"
+#include "kernels/shadow.h"
 
 namespace erg {
 
-using forcing::shadow_map;
-using forcing::shadow_reach;
+using kernels::shadow_map;
+using kernels::shadow_reach;
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "forcing/shadow.h"
 #include "forcing/wind_frame.h"
+#include "kernels/shadow.h"
 #include "models/slab/slab_law.h"
 #include "sim/make_executor.h"
 #include "world.h"
@@ -144,7 +144,7 @@ TEST(Exact, StandingStepsOfPrintedAngles) {
   EXPECT_EQ(critical_step(33.7, 1, 1.0 / 3), 3);
   EXPECT_EQ(critical_step(30, 1, 0.1), 6);
   EXPECT_EQ(critical_step(40, 1, 0.1), 9);
-  EXPECT_NEAR(forcing::shadow_fall(15, 1, 1.0 / 3), 0.804, 0.0005);
+  EXPECT_NEAR(kernels::shadow_fall(15, 1, 1.0 / 3), 0.804, 0.0005);
 }
 
 TEST(Exact, HopGrowsWithHeightAsPrinted) {

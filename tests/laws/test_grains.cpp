@@ -7,8 +7,8 @@
 #include "analysis/crests.h"
 #include "analysis/morphometry.h"
 #include "analysis/spectrum.h"
-#include "forcing/shadow.h"
 #include "grain_world.h"
+#include "kernels/shadow.h"
 #include "sim/scene.h"
 #include "sim/simulation.h"
 
@@ -193,7 +193,7 @@ TEST(Grains, SandGathersInTheLeeOfHardGround) {
     // Behind the hard ground: what lay in the shadow of the level bed.
     const Terrain before = scene_bed(kind);
     const Grid<std::uint8_t> lee =
-        forcing::shadow_map(before, 270, GrainRun({}, before).model.shadow_fall(before.cell_size()));
+        kernels::shadow_map(before, 270, GrainRun({}, before).model.shadow_fall(before.cell_size()));
     const double behind = gathered(before, lee);
     const double control = gathered(scene_bed("flat"), lee);
     EXPECT_GT(behind, 1.0 / 3) << kind << ": parcels";

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "compute/executor.h"
-#include "forcing/shadow.h"
 #include "io/formats/png.h"
+#include "kernels/shadow.h"
 #include "models/model.h"
 #include "render/gl_context.h"
 #include "render/renderer.h"
@@ -74,7 +74,7 @@ RgbImage shoot(const Shot& shot) {
   const Terrain terrain = landscape();
   render::TerrainView view = view_of(terrain);
   const Field shadow =
-      forcing::shadow_field(terrain, 270, forcing::shadow_fall(15, terrain.cell_size(), terrain.quantum()));
+      kernels::shadow_field(terrain, 270, kernels::shadow_fall(15, terrain.cell_size(), terrain.quantum()));
   static const Field flux = flux_of(terrain);
   view.fields = {&shadow, &flux};
   view.trajectories = {{{10, 60, 4}, {14, 61, 7}, {18, 62, 8}, {24, 63, 7}, {30, 64, 9}}};

@@ -32,7 +32,7 @@ TEST(Layers, AFileLiesInTheInnermostLayerAroundIt) {
 TEST(Layers, AnIncludeThatRunsUpOrAcrossIsSeen) {
   EXPECT_TRUE(runs_up("core/grid.h", "forcing/wind_schedule.h"));
   EXPECT_TRUE(runs_up("models/model.h", "sim/config.h"));
-  EXPECT_TRUE(runs_up("analysis/fourier.h", "forcing/shadow.h")) << "beside, not below";
+  EXPECT_TRUE(runs_up("analysis/fourier.h", "forcing/bearing.h")) << "beside, not below";
   EXPECT_TRUE(runs_up("render/camera.h", "io/formats/png.h"));
   EXPECT_TRUE(runs_up("io/files/given_file.h", "io/config/config_file.h")) << "between the folders of a folder too";
   EXPECT_FALSE(runs_up("io/config/config_file.h", "io/files/given_file.h"));

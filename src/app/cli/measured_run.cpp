@@ -9,9 +9,9 @@
 #include "analysis/crests.h"
 #include "core/number_text.h"
 #include "core/units.h"
-#include "forcing/shadow.h"
 #include "io/config/config_file.h"
 #include "io/config/provenance.h"
+#include "kernels/shadow.h"
 #include "sim/step_time.h"
 
 namespace erg::app {
@@ -64,7 +64,7 @@ RunStatistics MeasuredRun::statistics() {
   numbers.shape = analysis::measure(terrain);
   const double fall = simulation_.model().shadow_fall(terrain.cell_size());
   numbers.shadow_fraction =
-      analysis::shadow_fraction(forcing::shadow_map(terrain, simulation_.last_wind().bearing, fall));
+      analysis::shadow_fraction(kernels::shadow_map(terrain, simulation_.last_wind().bearing, fall));
   const analysis::CoarseSurface surface = coarse_surface(terrain, Layer::surface);
   numbers.spectrum = analysis::measure_spectrum(surface, simulation_.share_work());
   numbers.crest_spacing =

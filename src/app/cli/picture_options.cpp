@@ -8,9 +8,9 @@
 #include "core/errors.h"
 #include "core/number_text.h"
 #include "forcing/bearing.h"
-#include "forcing/shadow.h"
 #include "io/files/given_file.h"
 #include "io/formats/camera_file.h"
+#include "kernels/shadow.h"
 #include "render/gl_context.h"
 
 namespace erg::app {
@@ -97,7 +97,7 @@ PicturePlan plan_picture(const PictureRequest& request, const render::TerrainVie
 RunView::RunView(sim::Simulation& simulation) {
   const Terrain& terrain = simulation.terrain();
   const forcing::Forcing wind = simulation.last_wind();
-  shadow_ = forcing::shadow_field(terrain, wind.bearing, simulation.model().shadow_fall(terrain.cell_size()));
+  shadow_ = kernels::shadow_field(terrain, wind.bearing, simulation.model().shadow_fall(terrain.cell_size()));
   view_.terrain = &terrain;
   view_.fields = {&shadow_};
   if (simulation.flux() != nullptr) {

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "app/cli/output_folder.h"
-#include "forcing/shadow.h"
 #include "io/checkpoint/checkpoint.h"
 #include "io/checkpoint/start_simulation.h"
 #include "io/formats/heightmap.h"
 #include "io/formats/mesh.h"
 #include "io/formats/picture.h"
 #include "io/formats/vti.h"
+#include "kernels/shadow.h"
 
 namespace erg::app {
 
@@ -118,7 +118,7 @@ void RunOutput::write_state() {
     files_.push_back(path);
   }
   if (wants("vti")) {
-    const Grid<std::uint8_t> shadow = forcing::shadow_map(terrain, simulation_.last_wind().bearing,
+    const Grid<std::uint8_t> shadow = kernels::shadow_map(terrain, simulation_.last_wind().bearing,
                                                           simulation_.model().shadow_fall(terrain.cell_size()));
     const fs::path path = numbered(".vti");
     std::vector<Field> more;

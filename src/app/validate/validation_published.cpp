@@ -6,7 +6,7 @@
 #include "app/validate/sample.h"
 #include "app/validate/validation.h"
 #include "core/units.h"
-#include "forcing/shadow.h"
+#include "kernels/shadow.h"
 
 namespace erg::app {
 
@@ -135,7 +135,7 @@ std::string identities_section() {
       flat_bed("mean travel with the chance of bare ground, .4: 5/.4 cells", "0.4", 5 / 0.4),
       {"repose 33.69°, slab 1/3 of a cell: step in slabs", 2, double(critical_step(33.69, 1.0, 1.0 / 3))},
       {"shadow line of 15°, slab 1/3 of a cell: fall in slabs a cell", 3 * std::tan(radians(15)),
-       forcing::shadow_fall(15, 1.0, 1.0 / 3)},
+       kernels::shadow_fall(15, 1.0, 1.0 / 3)},
   };
   TextTable table;
   table.heading = {"what", "exact", "measured"};

@@ -7,7 +7,7 @@
 #include "analysis/morphometry.h"
 #include "analysis/spectrum.h"
 #include "core/number_text.h"
-#include "forcing/shadow.h"
+#include "kernels/shadow.h"
 #include "sim/step_time.h"
 
 namespace erg::io {
@@ -89,7 +89,7 @@ std::vector<double> RunMeter::take(Simulation& simulation) {
                           shape.mean_slabs,
                           shape.sd_slabs,
                           shape.bare_fraction,
-                          analysis::shadow_fraction(forcing::shadow_map(terrain, wind.bearing, fall)),
+                          analysis::shadow_fraction(kernels::shadow_map(terrain, wind.bearing, fall)),
                           spectrum.wavelength,
                           analysis::crest_spacing(surface, wind.mean_bearing(), share),
                           spectrum.crest_bearing.value_or(unknown),

@@ -12,7 +12,7 @@
 
 #include "compute/kernel.h"
 #include "core/grid.h"
-#include "forcing/shadow_reach.h"
+#include "kernels/shadow_reach.h"
 #include "models/grains/grain_cell.h"
 
 namespace erg::models {
@@ -108,7 +108,7 @@ ERG_CELL_RULE void snapshot_cell(const BedPlanes& bed, int u, int v) {
 /// `relief` quanta over its lowest.
 ERG_CELL_RULE int first_shadow_row(const BedPlanes& bed, std::int64_t relief) {
   if (!bed.torus) return 0;
-  return -forcing::shadow_reach(static_cast<double>(relief), bed.fall, bed.cosine, bed.longest_shadow);
+  return -kernels::shadow_reach(static_cast<double>(relief), bed.fall, bed.cosine, bed.longest_shadow);
 }
 
 /// Heights (m) of the shadow line that comes to a cell: along the wind, and from the cell before it in its row's order.
@@ -117,7 +117,7 @@ struct ShadowLine {
   float near = no_shadow;
 };
 
-/// Follows a line along the wind from row `from` to before `end`, as shadow_map in forcing/shadow.h does, and notes the
+/// Follows a line along the wind from row `from` to before `end`, as shadow_map in kernels/shadow.h does, and notes the
 /// height of the shadow line over each cell if `notes`. Each line meets a cell once, so lines may be followed side by
 /// side. `start`: the row in which all lines begin.
 ERG_CELL_RULE void follow_shadow(const BedPlanes& bed, int line, int start, int from, int end, bool notes,

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/units.h"
-#include "forcing/shadow.h"
+#include "kernels/shadow.h"
 #include "models/grains/grain_bed_cell.h"
 #include "models/grains/grain_law.h"
 #include "models/grains/plant_wakes.h"
@@ -56,7 +56,7 @@ GrainModel::GrainModel(const GrainValues& values) : values_(values) {}
 double GrainModel::quantum() const { return values_.parcel_height * 1e-3; }
 
 double GrainModel::shadow_fall(double cell_size) const {
-  return erg::forcing::shadow_fall(values_.shadow_angle, cell_size, quantum());
+  return erg::kernels::shadow_fall(values_.shadow_angle, cell_size, quantum());
 }
 
 void GrainModel::begin(Terrain& terrain) {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "forcing/shadow_reach.h"
 #include "kernels/fixed_point.h"
+#include "kernels/shadow_reach.h"
 #include "models/slab/slab_cell.h"
 #include "models/slab/sub_sweep.h"
 
@@ -19,7 +19,7 @@ constexpr std::uint32_t narrow_shadow = 0xffff;
 /// cell to the ground, and not beyond where the line has met every cell that it ever meets.
 int warm_up_rows(const SubSweep& sweep, int highest) {
   const auto around = static_cast<int>(std::min<std::int64_t>(sweep.rows_around, std::numeric_limits<int>::max() / 2));
-  return forcing::shadow_reach(static_cast<double>(std::int64_t{highest} << kernels::fixed_point_bits), sweep.row_fall,
+  return kernels::shadow_reach(static_cast<double>(std::int64_t{highest} << kernels::fixed_point_bits), sweep.row_fall,
                                1, around + 2);
 }
 

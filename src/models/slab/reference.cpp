@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "forcing/shadow.h"
 #include "kernels/fixed_point.h"
+#include "kernels/shadow.h"
 #include "models/slab/shadow_reach.h"
 #include "models/slab/terrain_heights.h"
 
@@ -98,7 +98,7 @@ void SlabReference::sync_to_host(Terrain& terrain) {
 }
 
 void SlabReference::prepare(const SlabLaw& law) {
-  const forcing::ShadowFalls falls = forcing::shadow_falls(frame_, law.shadow_fall);
+  const kernels::ShadowFalls falls = kernels::shadow_falls(frame_, law.shadow_fall);
   row_fall_ = fixed_point(falls.row);
   next_fall_ = fixed_point(falls.next);
   second_fall_ = fixed_point(falls.second);

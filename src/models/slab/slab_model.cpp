@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/units.h"
-#include "forcing/shadow.h"
+#include "kernels/shadow.h"
 #include "models/slab/terrain_heights.h"
 
 namespace erg::models {
@@ -138,7 +138,7 @@ std::vector<std::string> explain_slabs(const SlabValues& values, double cell_siz
                 degrees(std::atan(steps.straight * slab / cell_size)));
   char shadow[120];
   std::snprintf(shadow, sizeof shadow, "shadow %g°: the shadow line falls %.3f slabs a cell", values.shadow_angle,
-                forcing::shadow_fall(values.shadow_angle, cell_size, slab));
+                kernels::shadow_fall(values.shadow_angle, cell_size, slab));
   return {repose, shadow};
 }
 
@@ -159,7 +159,7 @@ double SlabModel::quantum() const { return values_.slab_height; }
 void SlabModel::begin(Terrain& terrain) { check_height(terrain); }
 
 double SlabModel::shadow_fall(double cell_size) const {
-  return erg::forcing::shadow_fall(values_.shadow_angle, cell_size, quantum());
+  return erg::kernels::shadow_fall(values_.shadow_angle, cell_size, quantum());
 }
 
 SlabLaw SlabModel::law(const Terrain& terrain) const {

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "forcing/shadow.h"
 #include "forcing/wind_frame.h"
 #include "kernels/fixed_point.h"
+#include "kernels/shadow.h"
 #include "models/slab/shadow_reach.h"
 #include "models/slab/slab_law.h"
 
@@ -102,7 +102,7 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   const auto fall = [](double slabs) {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(kernels::fixed_point(slabs), 1, 0xffffffff));
   };
-  const forcing::ShadowFalls falls = forcing::shadow_falls(frame, law.shadow_fall);
+  const kernels::ShadowFalls falls = kernels::shadow_falls(frame, law.shadow_fall);
   drawn.row_fall = fall(falls.row);
   drawn.next_fall = fall(falls.next);
   drawn.second_fall = fall(falls.second);

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "forcing/shadow_reach.h"
 #include "kernels/fixed_point.h"
+#include "kernels/shadow_reach.h"
 #include "models/snow/snow_cell.h"
 
 namespace erg::models {
@@ -106,7 +106,7 @@ struct SnowShadow {
 /// `fall`: of the shadow, slabs a cell; `relief`: slabs from the lowest surface to the highest.
 ERG_CELL_RULE SnowShadow snow_shadow(double fall, double tangent, double cosine, bool open, int length, int relief) {
   return {kernels::fixed_point(fall / cosine), kernels::fixed_point(fall), static_cast<std::int64_t>(tangent * 0x1p24),
-          open ? 0 : -forcing::shadow_reach(relief, fall, cosine, 2 * length)};
+          open ? 0 : -kernels::shadow_reach(relief, fall, cosine, 2 * length)};
 }
 
 }  // namespace erg::models

@@ -8,7 +8,7 @@
 
 #include "core/constants.h"
 #include "core/units.h"
-#include "forcing/shadow.h"
+#include "kernels/shadow.h"
 #include "models/model.h"
 #include "models/snow/sintering_values.h"
 #include "models/snow/snow_solver.h"
@@ -74,7 +74,7 @@ class SnowSintering : public Model {
 
   double quantum() const override { return values_.slab_height; }
   double shadow_fall(double cell_size) const override {
-    return erg::forcing::shadow_fall(values_.shadow_angle, cell_size, quantum());
+    return erg::kernels::shadow_fall(values_.shadow_angle, cell_size, quantum());
   }
   void prepare(const InitContext& context) override {
     seed_ = context.seed;

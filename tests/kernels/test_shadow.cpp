@@ -1,4 +1,4 @@
-#include "forcing/shadow.h"
+#include "kernels/shadow.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 namespace erg {
 
-using forcing::shadow_fall;
-using forcing::shadow_map;
+using kernels::shadow_fall;
+using kernels::shadow_map;
 
 namespace {
 

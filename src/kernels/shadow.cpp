@@ -1,4 +1,4 @@
-#include "forcing/shadow.h"
+#include "kernels/shadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 
 #include "core/surface_range.h"
 #include "core/units.h"
-#include "forcing/shadow_reach.h"
 #include "forcing/wind_frame.h"
+#include "kernels/shadow_reach.h"
 
-namespace erg::forcing {
+namespace erg::kernels {
 namespace {
 
 // Heights on the scan are fixed-point numbers with 24 bits after the point, so that a shadow line does not depend on
@@ -23,10 +23,10 @@ constexpr Fixed no_line = std::numeric_limits<Fixed>::min() / 4;
 Fixed to_fixed(double value) { return static_cast<Fixed>(std::ceil(value * static_cast<double>(fixed_one))); }
 
 // How many columns a line has moved sideways when it meets row `v`, which may lie before the grid.
-int drift(const WindFrame& frame, int v) { return static_cast<int>(std::floor(v * frame.tangent + 0.5)); }
+int drift(const forcing::WindFrame& frame, int v) { return static_cast<int>(std::floor(v * frame.tangent + 0.5)); }
 
 // Rows before the grid from which a shadow can still reach into it, on a torus.
-int warm_up_rows(const Terrain& terrain, const WindFrame& frame, double fall) {
+int warm_up_rows(const Terrain& terrain, const forcing::WindFrame& frame, double fall) {
   const SurfaceRange range = surface_range(terrain);
   // An axis wind meets the same cells again after one round; an oblique one is followed for at most `largest_side`
   // rows.
@@ -37,7 +37,7 @@ int warm_up_rows(const Terrain& terrain, const WindFrame& frame, double fall) {
 /// Calls visit(u, v) for every cell of the frame, square by square: rows of one lie along columns of the other, and
 /// neither should be fetched anew for each cell.
 template <typename Visit>
-void for_squares(const WindFrame& frame, const Visit& visit) {
+void for_squares(const forcing::WindFrame& frame, const Visit& visit) {
   constexpr int side = 16;
   for (int row = 0; row < frame.length; row += side) {
     for (int column = 0; column < frame.width; column += side) {
@@ -48,7 +48,7 @@ void for_squares(const WindFrame& frame, const Visit& visit) {
   }
 }
 
-Grid<std::int32_t> surface_in(const Terrain& terrain, const WindFrame& frame) {
+Grid<std::int32_t> surface_in(const Terrain& terrain, const forcing::WindFrame& frame) {
   Grid<std::int32_t> surface({frame.width, frame.length});
   for_squares(frame, [&](int u, int v) {
     const std::size_t cell = frame.cell(u, v);
@@ -63,7 +63,7 @@ double shadow_fall(double angle, double cell_size, double quantum) {
   return std::tan(radians(angle)) * cell_size / quantum;
 }
 
-ShadowFalls shadow_falls(const WindFrame& frame, double fall) {
+ShadowFalls shadow_falls(const forcing::WindFrame& frame, double fall) {
   const double row = fall / frame.cosine;
   if (frame.tangent <= 0) return {fall, 2 * fall, row};
   return {4 * row, fall, row};
@@ -71,7 +71,7 @@ ShadowFalls shadow_falls(const WindFrame& frame, double fall) {
 
 Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fall) {
   if (terrain.extent().cells() == 0) return Grid<std::uint8_t>(terrain.extent());
-  const WindFrame frame = wind_frame(terrain.extent(), bearing);
+  const forcing::WindFrame frame = forcing::wind_frame(terrain.extent(), bearing);
   const bool torus = terrain.boundary() == Boundary::torus;
   const ShadowFalls falls = shadow_falls(frame, fall);
   const Fixed row_fall = to_fixed(falls.row);
@@ -124,4 +124,4 @@ Field shadow_field(const Terrain& terrain, double bearing, double fall) {
   return field;
 }
 
-}  // namespace erg::forcing
+}  // namespace erg::kernels

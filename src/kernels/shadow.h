@@ -6,7 +6,7 @@
 #include "core/terrain.h"
 #include "forcing/wind_frame.h"
 
-namespace erg::forcing {
+namespace erg::kernels {
 
 /// The fall of the shadow line behind a peak, in quanta a cell: tan(angle) * cell_size / quantum. `angle` in degrees
 /// (15 in print).
@@ -27,7 +27,7 @@ struct ShadowFalls {
 /// stay lit only between axis and diagonal, and it would lean. So it is the second row that counts as one cell away,
 /// and the next one as four rows: sand does not stand that steeply, but a wall still casts shadow on the cell behind
 /// it.
-ShadowFalls shadow_falls(const WindFrame& frame, double fall);
+ShadowFalls shadow_falls(const forcing::WindFrame& frame, double fall);
 
 /// 1 where a cell lies in shadow, else 0: some upwind cell at distance d (cells) is higher by more than d * fall, but
 /// for the nearest two (shadow_falls). Reads lines of cells along the wind at any bearing. Torus terrains are closed.
@@ -36,4 +36,4 @@ Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fal
 /// The same as a field for pictures: "shadow".
 Field shadow_field(const Terrain& terrain, double bearing, double fall);
 
-}  // namespace erg::forcing
+}  // namespace erg::kernels

@@ -3,7 +3,7 @@
 
 #include "core/cell_rule.h"
 
-namespace erg::forcing {
+namespace erg::kernels {
 
 /// Rows before the grid at which lines that look for shadow begin: those in which a shadow line falls from the highest
 /// surface to the lowest, `relief` below it, and some for what is rounded; at most `longest`, from where a line has met
@@ -14,4 +14,4 @@ ERG_CELL_RULE int shadow_reach(double relief, double fall, double cosine, int lo
   return reach < longest ? static_cast<int>(reach) : longest;
 }
 
-}  // namespace erg::forcing
+}  // namespace erg::kernels
