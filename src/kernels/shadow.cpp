@@ -9,6 +9,7 @@
 #include "core/surface_range.h"
 #include "core/units.h"
 #include "forcing/wind_frame.h"
+#include "kernels/line_walk.h"
 #include "kernels/shadow_reach.h"
 
 namespace erg::kernels {
@@ -22,16 +23,11 @@ constexpr Fixed no_line = std::numeric_limits<Fixed>::min() / 4;
 
 Fixed to_fixed(double value) { return static_cast<Fixed>(std::ceil(value * static_cast<double>(fixed_one))); }
 
-// How many columns a line has moved sideways when it meets row `v`, which may lie before the grid.
-int drift(const forcing::WindFrame& frame, int v) { return static_cast<int>(std::floor(v * frame.tangent + 0.5)); }
-
 // Rows before the grid from which a shadow can still reach into it, on a torus.
 int warm_up_rows(const Terrain& terrain, const forcing::WindFrame& frame, double fall) {
   const SurfaceRange range = surface_range(terrain);
-  // An axis wind meets the same cells again after one round; an oblique one is followed for at most `largest_side`
-  // rows.
-  const int limit = frame.tangent > 0 ? largest_side : frame.length;
-  return shadow_reach(static_cast<double>(range.high) - range.low, fall, frame.cosine, limit);
+  const int longest = rows_around(frame.length, frame.tangent);
+  return shadow_reach(static_cast<double>(range.high) - range.low, fall, frame.cosine, longest);
 }
 
 /// Calls visit(u, v) for every cell of the frame, square by square: rows of one lie along columns of the other, and
@@ -86,7 +82,7 @@ Grid<std::uint8_t> shadow_map(const Terrain& terrain, double bearing, double fal
   std::vector<Fixed> second(lines, no_line);  // and of the second
   const int start = torus ? -warm_up_rows(terrain, frame, fall) : 0;
   for (int row = start; row < frame.length; ++row) {
-    if (row > start && drift(frame, row) != drift(frame, row - 1)) {
+    if (row > start && line_offset(row, frame.tangent) != line_offset(row - 1, frame.tangent)) {
       for (std::vector<Fixed>* const heights : {&far, &next, &second}) {
         std::rotate(heights->begin(), heights->end() - 1, heights->end());
         // A line that enters over the side has nothing upwind.

@@ -8,6 +8,7 @@
 
 #include "core/random.h"
 #include "core/terrain.h"
+#include "kernels/line_walk.h"
 #include "models/slab/given.h"
 #include "models/slab/slab_cell.h"
 
@@ -76,7 +77,7 @@ TEST(SubsetRules, FindLinesOfTheLargestGridIn32Bits) {
       for (const i32 phase : {0, rows / 2, rows - 1}) {
         const i32 last = 2 * (longest_flight + 1) * rows;
         for (i32 row = 0; row <= last; row += 1 + last / 1000) {
-          ASSERT_EQ(line_offset_from_0(row, drift, phase, rows), line_offset(row, drift, phase, rows))
+          ASSERT_EQ(line_offset_from_0(row, drift, phase, rows), kernels::line_offset(row, drift, phase, rows))
               << row << " of " << rows << ", " << drift << ", " << phase;
         }
       }
@@ -138,7 +139,7 @@ void for_each_line(std::initializer_list<Extent> grids, const Visit& visit) {
         slab::Plan plan = plan_of(grid.nx, grid.ny, drift, phase);
         for (i32 line = 0; line < grid.nx; ++line) {
           SCOPED_TRACE(testing::Message() << grid.nx << " x " << grid.ny << ", drift " << drift << ", phase " << phase);
-          visit(plan, line, [&](i32 row) { return line + line_offset(row, drift, phase, grid.ny); });
+          visit(plan, line, [&](i32 row) { return line + kernels::line_offset(row, drift, phase, grid.ny); });
         }
       }
     }

@@ -12,6 +12,7 @@
 
 #include "compute/kernel.h"
 #include "core/grid.h"
+#include "kernels/line_walk.h"
 #include "kernels/shadow_reach.h"
 #include "models/grains/grain_cell.h"
 
@@ -122,12 +123,12 @@ struct ShadowLine {
 /// side. `start`: the row in which all lines begin.
 ERG_CELL_RULE void follow_shadow(const BedPlanes& bed, int line, int start, int from, int end, bool notes,
                                  ShadowLine& shadow) {
-  const auto sideways_at = [&bed](int row) { return static_cast<int>(std::floor(row * bed.tangent + 0.5)); };
   for (int row = from; row < end; ++row) {
-    const int sideways = sideways_at(row);
+    const int sideways = kernels::line_offset(row, bed.tangent);
     const int column = wrap(line + sideways, bed.width);
     // A line that leaves an open grid comes in again as another.
-    if (!bed.torus && row > start && column == 0 && sideways != sideways_at(row - 1)) shadow = ShadowLine{};
+    if (!bed.torus && row > start && column == 0 && sideways != kernels::line_offset(row - 1, bed.tangent))
+      shadow = ShadowLine{};
     GroundPoint& here = bed.point(column, wrap(row, bed.length));
     if (notes) here.shadow = shadow.far > shadow.near ? shadow.far : shadow.near;
     shadow.far = (here.height > shadow.far ? here.height : shadow.far) - bed.fall_far;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernels/fixed_point.h"
+#include "kernels/line_walk.h"
 #include "kernels/shadow_reach.h"
 #include "models/slab/slab_cell.h"
 #include "models/slab/sub_sweep.h"
@@ -36,7 +37,7 @@ SlideTile tile_number(int number, int length) {
 template <typename Lane>
 int strips_over_edge(const SweepPlan<Lane>& plan, int lines) {
   const int length = plan.layout.length;
-  return (line_offset(length, plan.drift, plan.phase, length) + lines / 2) / lines;
+  return (kernels::line_offset(length, plan.drift, plan.phase, length) + lines / 2) / lines;
 }
 
 }  // namespace

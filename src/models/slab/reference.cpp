@@ -7,7 +7,7 @@
 
 #include "kernels/fixed_point.h"
 #include "kernels/shadow.h"
-#include "models/slab/shadow_reach.h"
+#include "kernels/shadow_reach.h"
 #include "models/slab/terrain_heights.h"
 
 namespace erg::models {
@@ -301,8 +301,7 @@ bool SlabReference::in_shadow(Place place, Draws& draws) const {
   const auto columns = [&](int row) { return static_cast<int>(std::floor(row * frame_.tangent + sideways)); };
   int u = place.u;
   int v = place.v;
-  // A straight line meets the same cells again behind one length.
-  const int rows_around = (frame_.tangent > 0 ? longest_shadow : 1) * frame_.length;
+  const int rows_around = kernels::rows_around(frame_.length, frame_.tangent);
   for (int row = 1; row <= rows_around; ++row) {
     const std::int64_t line = here + (row == 1 ? next_fall_ : row == 2 ? second_fall_ : row_fall_ * row);
     if (row > 1 && line >= top) return false;

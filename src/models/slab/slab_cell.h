@@ -47,12 +47,6 @@ ERG_CELL_RULE std::uint32_t byte_chance(std::uint32_t chance_16, std::uint64_t r
   return (chance_16 + static_cast<std::uint32_t>(row_word >> 56)) >> 8;
 }
 
-/// Where line 0 stands in a row that may lie beyond the grid: floor((row * drift + phase) / length).
-ERG_CELL_RULE std::int32_t line_offset(std::int64_t row, std::int64_t drift, std::int64_t phase, std::int64_t length) {
-  const std::int64_t scaled = row * drift + phase;
-  return static_cast<std::int32_t>(scaled >= 0 ? scaled / length : -((-scaled + length - 1) / length));
-}
-
 /// How a hop grows with the height of the ground (HopLaw), on rows that are 1 / cosine cells long.
 struct HopCurve {
   double strength = 0;

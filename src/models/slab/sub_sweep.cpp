@@ -9,7 +9,7 @@
 #include "forcing/wind_frame.h"
 #include "kernels/fixed_point.h"
 #include "kernels/shadow.h"
-#include "models/slab/shadow_reach.h"
+#include "kernels/shadow_reach.h"
 #include "models/slab/slab_law.h"
 
 namespace erg::models {
@@ -95,7 +95,7 @@ SubSweep sub_sweep(const SlabLaw& law, const WindFrame& frame, bool open, StepKe
   if (drawn.permuted) std::ranges::copy(rows.of_sweep[sweep % sweeps], drawn.polled_row);
   draw_lines(frame, key, line_age, drawn);
   const std::int64_t turns = frame.width / std::gcd<std::int64_t>(frame.width, drawn.drift);
-  drawn.rows_around = std::min<std::int64_t>(turns, longest_shadow) * frame.length;
+  drawn.rows_around = std::min<std::int64_t>(turns, kernels::longest_shadow) * frame.length;
   drawn.p_sand_16 = static_cast<std::uint32_t>(std::llround(law.p_sand * 65536));
   drawn.p_bare_16 = static_cast<std::uint32_t>(std::llround(law.p_bare * 65536));
   drawn.lift_in_shadow = law.lift_in_shadow;

@@ -8,6 +8,7 @@
 
 #include "kernels/each_lane.h"
 #include "kernels/fixed_point.h"
+#include "kernels/line_walk.h"
 #include "models/slab/slab_cell.h"
 #include "models/slab/sweep.h"
 

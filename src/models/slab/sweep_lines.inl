@@ -24,7 +24,7 @@ class LineWalk {
 
   /// Stands in a row, which may lie before or beyond the grid.
   void start(std::int64_t row) {
-    const std::int64_t offset = line_offset(row, drift_, phase_, layout_.length);
+    const std::int64_t offset = kernels::line_offset(row, drift_, phase_, layout_.length);
     rest_ = row * drift_ + phase_ - offset * layout_.length;
     const std::int64_t row_in_grid = row % layout_.length;
     y_ = static_cast<int>(row_in_grid < 0 ? row_in_grid + layout_.length : row_in_grid);

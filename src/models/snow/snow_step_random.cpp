@@ -8,6 +8,7 @@
 #include "compute/executor.h"
 #include "core/errors.h"
 #include "kernels/fixed_point.h"
+#include "kernels/line_walk.h"
 #include "models/slab/slab_cell.h"
 #include "models/slab/sub_sweep.h"
 #include "models/slab/terrain_heights.h"
@@ -48,7 +49,8 @@ void StepRandom::draw_lines(const forcing::WindFrame& frame, StepKey key, std::u
   }
   offsets.resize(static_cast<std::size_t>(frame.length + reach + 2));
   for (int row = -1; row <= frame.length + reach; ++row) {
-    offsets[static_cast<std::size_t>(row + 1)] = wrap(line_offset(row, drift, phase, frame.length), frame.width);
+    offsets[static_cast<std::size_t>(row + 1)] =
+        wrap(kernels::line_offset(row, drift, phase, frame.length), frame.width);
   }
 }
 
