@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-struct _XDisplay;  // NOLINT(bugprone-reserved-identifier): X's name
-union _XEvent;     // NOLINT(bugprone-reserved-identifier)
+struct _XDisplay;  // as X names it
+union _XEvent;
 
 namespace erg::ui {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-struct _XDisplay;  // NOLINT(bugprone-reserved-identifier): X's name
+struct _XDisplay;  // as X names it
 
 namespace erg::ui {
 
