@@ -14,7 +14,6 @@
 namespace erg {
 
 using forcing::WindFrame;
-
 using models::SubSweep;
 
 namespace {

@@ -29,7 +29,7 @@ struct BedPlanes {
   double fall = 1;                 ///< of the shadow line, quanta a cell
   float fall_far = 0;              ///< m from a row to the next on a line along the wind
   float fall_near = 0;             ///< m from a row to the next on its own
-  int longest_shadow = 0;          ///< rows before a torus beyond which no shadow is looked for
+  int rows_around = 0;             ///< rows before a torus beyond which no shadow is looked for
   std::int32_t lowest = 0;         ///< bedrock, from which the frozen ground counts
   const float* shelter = nullptr;  ///< share of the wind that plants leave
   const std::int32_t* bedrock = nullptr;
@@ -109,7 +109,7 @@ ERG_CELL_RULE void snapshot_cell(const BedPlanes& bed, int u, int v) {
 /// `relief` quanta over its lowest.
 ERG_CELL_RULE int first_shadow_row(const BedPlanes& bed, std::int64_t relief) {
   if (!bed.torus) return 0;
-  return -kernels::shadow_reach(static_cast<double>(relief), bed.fall, bed.cosine, bed.longest_shadow);
+  return -kernels::shadow_reach(static_cast<double>(relief), bed.fall, bed.cosine, bed.rows_around);
 }
 
 /// Heights (m) of the shadow line that comes to a cell: along the wind, and from the cell before it in its row's order.

@@ -29,7 +29,7 @@ BedPlanes bed_layout(const Terrain& terrain, const GrainStepLaw& law, const Wind
   bed.cosine = frame.cosine;
   bed.quantum = terrain.quantum();
   bed.fall = law.shadow_fall;
-  bed.longest_shadow = kernels::rows_around(frame.length, frame.tangent);
+  bed.rows_around = kernels::rows_around(frame.length, frame.tangent);
   bed.fall_near = static_cast<float>(law.shadow_fall * terrain.quantum());
   bed.fall_far = static_cast<float>(law.shadow_fall * terrain.quantum() / frame.cosine);
   return bed;
